@@ -1,0 +1,35 @@
+// What a planar algorithm is: a function from sites in an order, over a kernel, to triangles.
+#pragma once
+
+#include "algorithms/triangulation.hpp"
+#include "predicates/kernel.hpp"
+
+#include <span>
+#include <string_view>
+
+namespace tribunal {
+
+/// What `tribunal list algorithms` says of an algorithm.
+struct AlgorithmAbout {
+  std::string_view name;
+  int dimension;
+  std::string_view cites;
+  std::string_view summary;  ///< one line
+};
+
+/// What the front door hands to an algorithm: distinct sites in insertion order, the first three not collinear by the
+/// kernel's own word and counter-clockwise or clockwise as they come.
+struct PlanarProblem {
+  std::span<const Point2> points;  ///< as the user gave them
+  std::span<const Index> sites;    ///< indices into points, in insertion order
+  const Kernel2& kernel;
+};
+
+struct PlanarAlgorithm {
+  AlgorithmAbout about;
+  /// Triangulates the sites; fills triangles, hull, counters and history. Throws Abandon (algorithms/abandon.hpp) when
+  /// the signs make no sense or a budget runs out; the front door turns that into an outcome.
+  Triangulation (*run)(const PlanarProblem&);
+};
+
+}  // namespace tribunal

@@ -1,0 +1,50 @@
+// What a dataset is: a function from (n, seed) to points.
+#pragma once
+
+#include "predicates/point.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace tribunal {
+
+/// What `tribunal list datasets` says of a dataset.
+struct DatasetAbout {
+  std::string_view name;
+  std::string_view cites;    ///< source or "this project"
+  std::string_view summary;  ///< one line: what is hard about it
+  std::uint64_t fixed_size;  ///< > 0: the dataset has just this many points (duplicates included); 0: any n
+  bool integer;              ///< coordinates are integers as generated
+};
+
+struct Dataset {
+  DatasetAbout about;
+  /// At least one and about n points (exactly n unless the summary says otherwise); same (n, seed), same bytes.
+  std::vector<Point2> (*generate)(std::uint64_t n, std::uint64_t seed);
+};
+
+/// All datasets, in the order in which they are listed to users.
+std::span<const Dataset> datasets();
+
+/// The dataset of that name, or null.
+const Dataset* find_dataset(std::string_view name);
+
+/// Rounds to the integer lattice [0, 2^bits)^2 by one scale and one shift for both axes, so that the longer side of the
+/// box fills it; shapes are kept, near coincidences may merge. 1 <= bits <= 53. All equal points go to the origin.
+std::vector<Point2> quantise(std::span<const Point2> points, int bits);
+
+/// Insertion orders.
+enum class Order : std::uint8_t { random, input, hilbert, x };
+
+/// A permutation of 0 .. points.size()-1; only `random` uses the seed. `x` sorts lexicographically, `hilbert` along a
+/// Hilbert curve over the bounding box; ties by index.
+std::vector<std::uint32_t> insertion_order(std::span<const Point2> points, Order order, std::uint64_t seed);
+
+/// Names of orders, as on the command line.
+std::span<const std::string_view> order_names();
+/// The order of that name; false when there is none.
+bool parse_order(std::string_view name, Order& order);
+
+}  // namespace tribunal

@@ -1,0 +1,96 @@
+// What a backend is: an arithmetic plus a way to evaluate a formula's sign with it.
+#pragma once
+
+#include "predicates/decision.hpp"
+#include "predicates/formulas/in_sphere.hpp"
+#include "predicates/formulas/orient.hpp"
+#include "predicates/formulas/query.hpp"
+#include "predicates/kernel.hpp"
+
+#include <concepts>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
+
+namespace tribunal {
+
+/// What `tribunal list backends` says of a backend.
+struct BackendAbout {
+  std::string_view name;
+  std::string_view cites;    ///< author and year, or "this project"
+  std::string_view summary;  ///< one line
+  std::string_view domain;   ///< one line: which points it accepts
+  bool exact;                ///< promises the true sign on its whole domain
+};
+
+/// A backend in D dimensions: a value that B::bind made for a point set, and that then only answers. `bind` either
+/// accepts all the points or names the first that lies outside the domain; `decide` never fails.
+template <class B, int D>
+concept Backend = std::movable<B> && requires(const B backend, std::span<const Point<D>> points, Point<D> point) {
+  { B::about } -> std::convertible_to<const BackendAbout&>;
+  { B::bind(points) } -> std::same_as<Binding<B>>;
+  { backend.admits(point) } -> std::same_as<bool>;
+  { backend.template decide<Orient<D>>(Query<Orient<D>>{}) } -> std::same_as<Decision>;
+  { backend.template decide<InSphere<D>>(Query<InSphere<D>>{}) } -> std::same_as<Decision>;
+};
+
+/// A planar backend behind the interface. The direct member stays inlinable for engines that are templates.
+template <Backend<2> B>
+class ErasedKernel2 final : public Kernel2 {
+ public:
+  explicit ErasedKernel2(B backend) : backend_(std::move(backend)) {}
+  Decision decide_orient2d(Point2 a, Point2 b, Point2 c) const override {
+    return backend_.template decide<Orient<2>>({a, b, c});
+  }
+  Decision decide_incircle(Point2 a, Point2 b, Point2 c, Point2 d) const override {
+    return backend_.template decide<InSphere<2>>({a, b, c, d});
+  }
+  bool admits(Point2 p) const override { return backend_.admits(p); }
+
+ private:
+  B backend_;
+};
+
+/// A spatial backend behind the interface.
+template <Backend<3> B>
+class ErasedKernel3 final : public Kernel3 {
+ public:
+  explicit ErasedKernel3(B backend) : backend_(std::move(backend)) {}
+  Decision decide_orient3d(Point3 a, Point3 b, Point3 c, Point3 d) const override {
+    return backend_.template decide<Orient<3>>({a, b, c, d});
+  }
+  Decision decide_insphere(Point3 a, Point3 b, Point3 c, Point3 d, Point3 e) const override {
+    return backend_.template decide<InSphere<3>>({a, b, c, d, e});
+  }
+  bool admits(Point3 p) const override { return backend_.admits(p); }
+
+ private:
+  B backend_;
+};
+
+/// One entry of the list of backends.
+struct BackendEntry {
+  const BackendAbout* about;
+  Kernel2Binding (*bind2)(std::span<const Point2>);
+  Kernel3Binding (*bind3)(std::span<const Point3>);  ///< null where the backend has no spatial predicates
+};
+
+namespace detail {
+template <class Kernel, class Erased, class B, int D>
+Binding<std::unique_ptr<const Kernel>> bind_erased(std::span<const Point<D>> points) {
+  Binding<B> bound = B::bind(points);
+  if (auto* refusal = std::get_if<Refusal>(&bound)) return std::move(*refusal);
+  return std::make_unique<const Erased>(std::get<B>(std::move(bound)));
+}
+}  // namespace detail
+
+/// The entry of backend B; its spatial half is filled in when B models Backend<3>.
+template <Backend<2> B>
+constexpr BackendEntry backend_entry() {
+  BackendEntry entry{&B::about, &detail::bind_erased<Kernel2, ErasedKernel2<B>, B, 2>, nullptr};
+  if constexpr (Backend<B, 3>) entry.bind3 = &detail::bind_erased<Kernel3, ErasedKernel3<B>, B, 3>;
+  return entry;
+}
+
+}  // namespace tribunal
