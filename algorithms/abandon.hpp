@@ -14,13 +14,14 @@ struct Abandon : std::runtime_error {
   Outcome outcome;
 };
 
-/// Steps that may still be taken. With right signs every walk, flip sequence and cavity ends by itself; wrong ones can
-/// send them round in circles, so each loop spends from a budget.
+/// Steps that may still be taken. With right signs every walk, flip sequence and cavity ends by itself; wrong
+/// ones can send them round in circles, so each loop spends from a budget.
 class Budget {
  public:
   Budget(std::uint64_t steps, const char* what) : left_(steps), what_(what) {}
   void spend() {
-    if (left_ == 0) throw Abandon(Outcome::loop, std::string(what_) + " did not end within its budget of steps");
+    if (left_ == 0)
+      throw Abandon(Outcome::loop, std::string(what_) + " did not end within its budget of steps");
     --left_;
   }
 

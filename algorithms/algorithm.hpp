@@ -17,8 +17,8 @@ struct AlgorithmAbout {
   std::string_view summary;  ///< one line
 };
 
-/// What the front door hands to an algorithm: distinct sites in insertion order, the first three not collinear by the
-/// kernel's own word and counter-clockwise or clockwise as they come.
+/// What the front door hands to an algorithm: distinct sites in insertion order, the first three not
+/// collinear by the kernel's own word and counter-clockwise or clockwise as they come.
 struct PlanarProblem {
   std::span<const Point2> points;  ///< as the user gave them
   std::span<const Index> sites;    ///< indices into points, in insertion order
@@ -27,8 +27,9 @@ struct PlanarProblem {
 
 struct PlanarAlgorithm {
   AlgorithmAbout about;
-  /// Triangulates the sites; fills triangles, hull, counters and history. Throws Abandon (algorithms/abandon.hpp) when
-  /// the signs make no sense or a budget runs out; the front door turns that into an outcome.
+  /// Triangulates the sites; fills triangles, hull, counters and history. Throws Abandon
+  /// (algorithms/abandon.hpp) when the signs make no sense or a budget runs out; the front door turns that
+  /// into an outcome.
   Triangulation (*run)(const PlanarProblem&);
 };
 

@@ -26,7 +26,9 @@ inline constexpr std::array<std::string_view, 11> outcome_names{
     "ok",    "non_delaunay", "invalid_topology", "missing_site",  "inconsistent_predicate", "loop",
     "crash", "timeout",      "out_of_memory",    "out_of_domain", "refused_input"};
 
-constexpr std::string_view to_string(Outcome outcome) { return outcome_names[static_cast<std::size_t>(outcome)]; }
+constexpr std::string_view to_string(Outcome outcome) {
+  return outcome_names[static_cast<std::size_t>(outcome)];
+}
 
 constexpr std::optional<Outcome> parse_outcome(std::string_view name) {
   for (std::size_t i = 0; i < outcome_names.size(); ++i)

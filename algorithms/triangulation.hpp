@@ -19,7 +19,7 @@ using Edge = std::array<Index, 2>;
 /// Structural counters: plain integers, always on, independent of the backend as long as its signs are right.
 /// tau, tau_with_ghosts and flips depend on points and order alone (identities: Guibas, Knuth, Sharir 1992).
 struct Counters {
-  std::uint64_t tau = 0;              ///< finite triangles incident to each new site right after its insertion, summed
+  std::uint64_t tau = 0;  ///< finite triangles incident to each new site right after its insertion, summed
   std::uint64_t tau_with_ghosts = 0;  ///< the same with the unbounded (ghost) triangles
   std::uint64_t created = 0;          ///< triangles ever made, ghosts and short-lived ones included
   std::uint64_t flips = 0;            ///< edge flips; 0 where the algorithm retriangulates cavities
@@ -29,8 +29,8 @@ struct Counters {
   std::uint64_t location_steps = 0;   ///< walk steps, history nodes visited or circles scanned
 };
 
-/// Shape of the history DAG (Green-Sibson). Depth of a site: nodes on its path from the root to the triangle that
-/// held it when it was inserted, the root not counted.
+/// Shape of the history DAG (Green-Sibson). Depth of a site: nodes on its path from the root to the triangle
+/// that held it when it was inserted, the root not counted.
 struct History {
   std::uint64_t nodes = 0;
   double depth_mean = 0;       ///< over all insertions
@@ -38,16 +38,17 @@ struct History {
   std::uint64_t depth_max = 0;
 };
 
-/// What came of one run. Indices are into the points as given; a duplicate is stood for by its first occurrence.
-/// A point set of dimension 0 or 1 has no triangles; its path is in `edges`, in order along the line.
+/// What came of one run. Indices are into the points as given; a duplicate is stood for by its first
+/// occurrence. A point set of dimension 0 or 1 has no triangles; its path is in `edges`, in order along the
+/// line.
 struct Triangulation {
   Outcome outcome = Outcome::ok;
   std::string reason;  ///< one line where the outcome is not ok
   int dimension = 0;   ///< 0, 1 or 2
   std::vector<Triangle> triangles;
-  std::vector<Edge> edges;                                 ///< dimension 1 only
-  std::vector<std::pair<Index, Index>> duplicates;         ///< (repeated index, first occurrence)
-  std::uint64_t hull = 0;                                  ///< sites on the hull boundary, collinear ones included
+  std::vector<Edge> edges;                          ///< dimension 1 only
+  std::vector<std::pair<Index, Index>> duplicates;  ///< (repeated index, first occurrence)
+  std::uint64_t hull = 0;                           ///< sites on the hull boundary, collinear ones included
   Counters counters;
   std::optional<History> history;
 };
