@@ -1,0 +1,42 @@
+// How the conformance tests call an algorithm: points and names in, a Triangulation out.
+#pragma once
+
+#include "algorithms/list.hpp"
+#include "algorithms/triangulate.hpp"
+#include "algorithms/verify/verify.hpp"
+#include "datasets/dataset.hpp"
+#include "predicates/backends/list.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace tribunal {
+
+inline Triangulation run(const std::vector<Point2>& points, const PlanarAlgorithm& algorithm,
+                         std::string_view backend = "gmp", Order order = Order::random,
+                         std::uint64_t seed = 1) {
+  const Kernel2Binding bound = find_backend(backend)->bind2(points);
+  if (const auto* refusal = std::get_if<Refusal>(&bound)) {
+    Triangulation refused;
+    refused.outcome = Outcome::out_of_domain;
+    refused.reason = refusal->reason;
+    return refused;
+  }
+  return triangulate(points, insertion_order(points, order, seed), *std::get<0>(bound), algorithm);
+}
+
+inline verify::Verdict check(const std::vector<Point2>& points, const Triangulation& t) {
+  return verify::verify_planar(points, {t.triangles});
+}
+
+inline std::string faults_of(const verify::Verdict& verdict) {
+  std::string text;
+  for (const auto& fault : verdict.faults)
+    text.append(verify::to_string(fault.kind)).append(": ").append(fault.detail).append("\n");
+  return text;
+}
+
+}  // namespace tribunal

@@ -1,0 +1,159 @@
+// Laws of the house: which room may include which, and that whatever stands in a listed folder is listed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+namespace fs = std::filesystem;
+
+const fs::path root = TRIBUNAL_SOURCE_DIR;
+constexpr std::array rooms{"predicates", "algorithms", "datasets", "bench", "reports", "cli"};
+
+struct Source {
+  std::string path;  // from the root
+  std::string text;
+  std::vector<std::string> includes;  // project headers only
+};
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::vector<Source> sources_of(const std::string& room) {
+  std::vector<Source> sources;
+  const std::regex include("#include \"([^\"]+)\"");
+  for (const auto& entry : fs::recursive_directory_iterator(root / room)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension != ".hpp" && extension != ".cpp" && extension != ".h") continue;
+    Source source{fs::relative(entry.path(), root).string(), read(entry.path()), {}};
+    for (auto at = std::sregex_iterator(source.text.begin(), source.text.end(), include);
+         at != std::sregex_iterator(); ++at)
+      source.includes.push_back((*at)[1]);
+    sources.push_back(std::move(source));
+  }
+  return sources;
+}
+
+bool starts_with_any(const std::string& text, const std::vector<std::string>& prefixes) {
+  return std::any_of(prefixes.begin(), prefixes.end(), [&](const auto& p) { return text.rfind(p, 0) == 0; });
+}
+
+TEST(Architecture, ArrowsRunDownwards) {
+  const std::map<std::string, std::vector<std::string>> may_include{
+      {"predicates", {"predicates/"}},
+      {"algorithms", {"algorithms/", "predicates/"}},
+      {"datasets", {"datasets/", "predicates/"}},
+      {"bench", {"bench/", "algorithms/", "datasets/", "predicates/"}},
+      {"reports", {"reports/", "bench/row.hpp", "bench/statistics.hpp"}},
+      {"cli", {"cli/", "reports/", "bench/", "algorithms/", "datasets/", "predicates/"}},
+  };
+  for (const std::string room : rooms) {
+    std::size_t seen = 0;
+    for (const Source& source : sources_of(room))
+      for (const std::string& include : source.includes) {
+        ++seen;
+        EXPECT_TRUE(starts_with_any(include, may_include.at(room))) << source.path << " includes " << include;
+        EXPECT_TRUE(fs::exists(root / include))
+            << source.path << " includes " << include << ", which is not written from the root";
+      }
+    EXPECT_GT(seen, 0U) << room << " holds no includes: the test looks in the wrong place";
+  }
+}
+
+TEST(Architecture, TheCheckerSharesNoCodeWithWhatItChecks) {
+  for (const Source& source : sources_of("algorithms/verify"))
+    for (const std::string& include : source.includes)
+      EXPECT_TRUE(
+          starts_with_any(include, {"algorithms/verify/", "predicates/sign.hpp", "predicates/point.hpp"}))
+          << source.path << " includes " << include;
+}
+
+TEST(Architecture, MeshFilesDecideNothing) {
+  for (const Source& source : sources_of("algorithms/mesh"))
+    for (const std::string& include : source.includes)
+      EXPECT_EQ(include.rfind("predicates/", 0), std::string::npos) << source.path << " includes " << include;
+}
+
+struct ListedFolder {
+  std::string folder, list;
+};
+
+/// A listed file is one that the folder's list includes or names.
+const std::array listed_folders{
+    ListedFolder{"predicates/backends", "predicates/backends/list.cpp"},
+    ListedFolder{"algorithms/planar", "algorithms/list.cpp"},
+};
+
+TEST(Architecture, ListedFilesDoNotIncludeEachOther) {
+  for (const auto& [folder, list] : listed_folders) {
+    std::set<std::string> listed;
+    for (const Source& source : sources_of(folder.substr(0, folder.find('/'))))
+      if (source.path == list)
+        for (const std::string& include : source.includes)
+          if (include.rfind(folder, 0) == 0 && include != folder + "/list.hpp") listed.insert(include);
+    ASSERT_GE(listed.size(), 2U) << list;
+    for (const Source& source : sources_of(folder)) {
+      const std::string own = source.path.substr(0, source.path.rfind('.')) + ".hpp";
+      if (source.path == list || !listed.count(own)) continue;
+      for (const std::string& include : source.includes)
+        EXPECT_TRUE(include == own || !listed.count(include))
+            << source.path << " includes the listed " << include;
+    }
+  }
+}
+
+/// Files that define an entry must be named in the list of their folder.
+TEST(Architecture, EveryBackendAndAlgorithmIsRegistered) {
+  const std::string backends = read(root / "predicates/backends/list.cpp");
+  for (const Source& source : sources_of("predicates/backends"))
+    if (source.text.find("static constexpr BackendAbout about{") != std::string::npos)
+      EXPECT_NE(backends.find("#include \"" + source.path + "\""), std::string::npos) << source.path;
+  const std::string algorithms = read(root / "algorithms/list.cpp");
+  for (const Source& source : sources_of("algorithms/planar"))
+    if (source.text.find("inline constexpr PlanarAlgorithm") != std::string::npos)
+      EXPECT_NE(algorithms.find("#include \"" + source.path + "\""), std::string::npos) << source.path;
+}
+
+TEST(Architecture, EverySourceIsCompiled) {
+  for (const std::string room : rooms) {
+    std::string lists;
+    for (const auto& entry : fs::recursive_directory_iterator(root / room))
+      if (entry.path().filename() == "CMakeLists.txt" || entry.path().extension() == ".cmake")
+        lists += read(entry.path());
+    for (const Source& source : sources_of(room)) {
+      if (source.path.substr(source.path.rfind('.')) != ".cpp") continue;
+      const std::string name = fs::path(source.path).stem().string();
+      EXPECT_NE(lists.find(name), std::string::npos) << source.path << " is in no CMakeLists.txt of its room";
+    }
+  }
+}
+
+TEST(Architecture, ForbiddenThings) {
+  const std::regex random(
+      "std::(uniform_|normal_distribution|shuffle|default_random_engine|mt19937)|[^a-z_:]rand\\(");
+  const std::regex undone("\\b(TODO|FIXME|XXX|HACK)\\b");
+  const std::regex recursion_free_flags("-ffast-math|-Ofast|-funsafe-math");
+  for (const std::string room : rooms)
+    for (const Source& source : sources_of(room)) {
+      EXPECT_FALSE(std::regex_search(source.text, random))
+          << source.path << ": random numbers that differ by library";
+      EXPECT_FALSE(std::regex_search(source.text, undone)) << source.path << ": left undone";
+      EXPECT_TRUE(source.text.find("CLI/") == std::string::npos || source.path == "cli/main.cpp")
+          << source.path << ": CLI11 belongs in cli/main.cpp";
+    }
+  EXPECT_FALSE(std::regex_search(read(root / "CMakeLists.txt"), recursion_free_flags));
+}
+
+}  // namespace
