@@ -1,6 +1,7 @@
 // Union-find: which things hang together.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <numeric>
 #include <utility>
@@ -8,8 +9,8 @@
 
 namespace tribunal::verify {
 
-/// Disjoint sets of 0 .. size-1. The least member of a set stands for it, so results do not depend on the order of
-/// unions. Path halving (Tarjan and van Leeuwen 1984): amortised O(log n).
+/// Disjoint sets of 0 .. size-1. The least member of a set stands for it, so results do not depend on the
+/// order of unions. Path halving (Tarjan and van Leeuwen 1984): amortised O(log n).
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }

@@ -15,8 +15,9 @@
 namespace tribunal::verify {
 namespace {
 
-// ------------------------------------------------------------------------------------------------- the formulas
-// Each once, over a vector of any number type. GMP's operators yield lazy expressions, hence no `auto` for numbers.
+// ------------------------------------------------------------------------------------------------- the
+// formulas Each once, over a vector of any number type. GMP's operators yield lazy expressions, hence no
+// `auto` for numbers.
 
 template <class Number>
 struct Vector {
@@ -41,27 +42,30 @@ double dot_magnitude(const Vector<double>& p, const Vector<double>& q) {
   return std::abs(p.x * q.x) + std::abs(p.y * q.y);
 }
 
-// -------------------------------------------------------------------------------------------------- the filters
+// -------------------------------------------------------------------------------------------------- the
+// filters
 //
-// Rounding to nearest with unit u = 2^-53: fl(x +- y) = (x +- y)(1 + d), |d| <= u, also when the result is subnormal;
-// fl(x y) = x y (1 + d) + e, |e| <= h = 2^-1075, the e being there only for underflow. Write M for the sum of the
-// absolute values of the products of a formula, over the exact differences of coordinates, and M' for the computed one.
+// Rounding to nearest with unit u = 2^-53: fl(x +- y) = (x +- y)(1 + d), |d| <= u, also when the result is
+// subnormal; fl(x y) = x y (1 + d) + e, |e| <= h = 2^-1075, the e being there only for underflow. Write M for
+// the sum of the absolute values of the products of a formula, over the exact differences of coordinates, and
+// M' for the computed one.
 //
-// A term carries one factor (1 + d) for each rounding on its way: a difference 1; a product of two differences 3; a
-// cross or dot product 4; a product of two of those 9; their sum 10. Without underflow a formula with k factors is off by
+// A term carries one factor (1 + d) for each rounding on its way: a difference 1; a product of two
+// differences 3; a cross or dot product 4; a product of two of those 9; their sum 10. Without underflow a
+// formula with k factors is off by
 //   E <= ((1 + u)^k - 1) M <= ((1 + u)^k - 1) (1 - u)^-k M' < (k + 1/2) u M'   for k <= 10,
-// and (k + 1) u covers the rounding of the bound itself: 5 u M' for an orientation, 11 u M' for the two angles; we
-// take 12 u.
+// and (k + 1) u covers the rounding of the bound itself: 5 u M' for an orientation, 11 u M' for the two
+// angles; we take 12 u.
 //
-// Underflow shifts a cross or dot product, and its magnitude, by at most 2 h (1 + u) < 3 h. An orientation is then off
-// by 3 h, and M' is short by 3 h. In the angles each product of two such factors f, g is shifted by at most
-// 3 h (|f| + |g|) + 9 h^2 + h; with W the sum of the four magnitudes, the whole is off by less than 4 h W + 4 h, and M'
-// is short by as much. `underflow` (1 + W) with underflow = 2^-1000 is far above (1 + 12 u) times that, and, being a
-// normal number, costs no slow subnormal arithmetic.
+// Underflow shifts a cross or dot product, and its magnitude, by at most 2 h (1 + u) < 3 h. An orientation is
+// then off by 3 h, and M' is short by 3 h. In the angles each product of two such factors f, g is shifted by
+// at most 3 h (|f| + |g|) + 9 h^2 + h; with W the sum of the four magnitudes, the whole is off by less than 4
+// h W + 4 h, and M' is short by as much. `underflow` (1 + W) with underflow = 2^-1000 is far above (1 + 12 u)
+// times that, and, being a normal number, costs no slow subnormal arithmetic.
 //
-// Overflow: every operation on magnitudes repeats one on the terms with absolute values, and rounding is monotone, so
-// |value| <= M' or a NaN is among the operands. An infinite or NaN value therefore comes with an infinite or NaN bound,
-// and `beyond` is false for it. So the filters are sound for all finite doubles.
+// Overflow: every operation on magnitudes repeats one on the terms with absolute values, and rounding is
+// monotone, so |value| <= M' or a NaN is among the operands. An infinite or NaN value therefore comes with an
+// infinite or NaN bound, and `beyond` is false for it. So the filters are sound for all finite doubles.
 constexpr double unit = 0x1p-53;
 constexpr double underflow = 0x1p-1000;
 
@@ -90,7 +94,8 @@ std::optional<Sign> filtered_opposite_angles(Point2 a, Point2 b, Point2 u, Point
   return beyond(value, 12 * unit * magnitude + underflow * (1 + sum));
 }
 
-// -------------------------------------------------------------------------------------------------- exact values
+// -------------------------------------------------------------------------------------------------- exact
+// values
 
 /// A finite double as an integer times a power of two.
 struct Scaled {
@@ -114,7 +119,8 @@ std::array<Vector<mpz_class>, N> to_integers(const std::array<Point2, N>& points
   const auto integer = [smallest](double c) {
     if (c == 0) return mpz_class(0);
     const Scaled s = scaled(c);
-    return mpz_class(mpz_class(static_cast<long>(s.mantissa)) << static_cast<mp_bitcnt_t>(s.exponent - smallest));
+    return mpz_class(mpz_class(static_cast<long>(s.mantissa))
+                     << static_cast<mp_bitcnt_t>(s.exponent - smallest));
   };
   std::array<Vector<mpz_class>, N> integers;
   for (std::size_t i = 0; i < N; ++i) integers[i] = {integer(points[i][0]), integer(points[i][1])};

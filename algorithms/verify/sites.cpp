@@ -17,7 +17,8 @@ int affine_dimension(std::span<const Point2> points, std::span<const std::uint32
   return collinear ? 1 : 2;
 }
 
-/// Appends the chain that turns left or goes straight from the first to the last of `range`, the last left out.
+/// Appends the chain that turns left or goes straight from the first to the last of `range`, the last left
+/// out.
 template <class Range>
 void append_chain(std::span<const Point2> points, const Range& range, std::vector<std::uint32_t>& chain) {
   const std::size_t start = chain.size();
@@ -41,7 +42,8 @@ Sites find_sites(std::span<const Point2> points) {
     return points[a] == points[b] ? a < b : points[a] < points[b];
   });
   for (const std::uint32_t point : order) {
-    if (sites.sorted.empty() || !(points[sites.sorted.back()] == points[point])) sites.sorted.push_back(point);
+    if (sites.sorted.empty() || !(points[sites.sorted.back()] == points[point]))
+      sites.sorted.push_back(point);
     sites.representative[point] = sites.sorted.back();
   }
   sites.dimension = affine_dimension(points, sites.sorted);

@@ -10,7 +10,7 @@
 namespace tribunal::verify {
 
 struct Sites {
-  std::vector<std::uint32_t> sorted;          ///< the distinct sites in lexicographic order, by their first index
+  std::vector<std::uint32_t> sorted;  ///< the distinct sites in lexicographic order, by their first index
   std::vector<std::uint32_t> representative;  ///< of each point: the first index with its position
   int dimension;                              ///< -1 (none), 0, 1 or 2
 };

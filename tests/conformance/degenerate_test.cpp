@@ -106,17 +106,17 @@ TEST_P(Degenerate, AllSmallLatticeSets) {
   EXPECT_EQ(sets, 511);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Degenerate, testing::ValuesIn([] {
-                           std::vector<const PlanarAlgorithm*> all;
-                           for (const auto& algorithm : planar_algorithms()) all.push_back(&algorithm);
-                           return all;
-                         }()),
-                         [](const auto& info) {
-                           std::string name(info.param->about.name);
-                           for (char& c : name)
-                             if (c == '-') c = '_';
-                           return name;
-                         });
+std::vector<const PlanarAlgorithm*> all_algorithms() {
+  std::vector<const PlanarAlgorithm*> all;
+  for (const auto& algorithm : planar_algorithms()) all.push_back(&algorithm);
+  return all;
+}
+
+std::string algorithm_name(const testing::TestParamInfo<const PlanarAlgorithm*>& info) {
+  return test_name(info.param->about.name);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Degenerate, testing::ValuesIn(all_algorithms()), algorithm_name);
 
 }  // namespace
 }  // namespace tribunal

@@ -44,7 +44,8 @@ TEST(Canonical, OrientationMatters) {
 TEST(Canonical, DigestIsFnv1a) {
   EXPECT_EQ(to_hex(digest({})), "cbf29ce484222325");
   std::uint64_t hash = 0xCBF29CE484222325;
-  for (const unsigned char byte : {0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0}) hash = (hash ^ byte) * 0x100000001B3;
+  for (const std::uint64_t byte : {0U, 0U, 0U, 0U, 1U, 0U, 0U, 0U, 2U, 0U, 0U, 0U})
+    hash = (hash ^ byte) * 0x100000001B3;
   EXPECT_EQ(digest(std::vector<Triangle>{{1, 2, 0}}), hash);
 }
 

@@ -3,9 +3,6 @@
 #include "algorithms/mesh/canonical.hpp"
 #include "tests/conformance/run.hpp"
 
-#include <cctype>
-#include <set>
-
 namespace tribunal {
 namespace {
 
@@ -23,11 +20,7 @@ class PlanarConformance : public testing::TestWithParam<Case> {
 };
 
 std::string case_name(const testing::TestParamInfo<Case>& info) {
-  std::string name =
-      std::string(info.param.algorithm->about.name) + "_" + std::string(info.param.dataset->about.name);
-  for (char& c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-  return name;
+  return test_name(info.param.algorithm->about.name) + "_" + test_name(info.param.dataset->about.name);
 }
 
 std::vector<Case> all_cases() {

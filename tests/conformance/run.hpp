@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
+#include <cctype>
 #include <string>
 #include <vector>
 
@@ -30,6 +30,14 @@ inline Triangulation run(const std::vector<Point2>& points, const PlanarAlgorith
 
 inline verify::Verdict check(const std::vector<Point2>& points, const Triangulation& t) {
   return verify::verify_planar(points, {t.triangles});
+}
+
+/// A name as GoogleTest wants it: '-' and the like become '_'.
+inline std::string test_name(std::string_view name) {
+  std::string text(name);
+  for (char& c : text)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return text;
 }
 
 inline std::string faults_of(const verify::Verdict& verdict) {

@@ -1,0 +1,111 @@
+// tribunal list: what is here.
+#include "algorithms/list.hpp"
+
+#include "cli/verbs.hpp"
+#include "datasets/dataset.hpp"
+#include "datasets/files/files.hpp"
+#include "predicates/backends/list.hpp"
+#include "reports/claim.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace tribunal::cli {
+namespace {
+using nlohmann::json;
+
+json list_algorithms() {
+  json all = json::array();
+  for (const auto& [about, run] : planar_algorithms())
+    all.push_back({{"name", about.name},
+                   {"dimension", about.dimension},
+                   {"cites", about.cites},
+                   {"summary", about.summary}});
+  return all;
+}
+
+json list_backends() {
+  json all = json::array();
+  for (const BackendEntry& entry : backends())
+    all.push_back({{"name", entry.about->name},
+                   {"exact", entry.about->exact},
+                   {"dimensions", entry.bind3 ? json{2, 3} : json{2}},
+                   {"domain", entry.about->domain},
+                   {"cites", entry.about->cites},
+                   {"summary", entry.about->summary}});
+  return all;
+}
+
+json list_datasets() {
+  json all = json::array();
+  for (const auto& [about, generate] : datasets())
+    all.push_back({{"name", about.name},
+                   {"points", about.fixed_size ? json(about.fixed_size) : json("n")},
+                   {"integer", about.integer},
+                   {"cites", about.cites},
+                   {"summary", about.summary}});
+  return all;
+}
+
+json list_claims() {
+  json all = json::array();
+  for (const auto& claim : reports::registered_claims())
+    all.push_back({{"id", claim.id},
+                   {"expected", reports::to_string(claim.expected)},
+                   {"source", claim.source},
+                   {"statement", claim.statement}});
+  return all;
+}
+
+json list_formats() {
+  json all = json::array();
+  for (const auto& [name, holds, summary] : formats())
+    all.push_back({{"name", name}, {"holds", holds}, {"summary", summary}});
+  return all;
+}
+
+std::string cell_text(const json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  return value.dump();
+}
+
+/// A table with one column per key, in the order in which the keys are named.
+void print_entries(Console& console, const json& entries, const std::vector<std::string>& keys) {
+  std::vector<std::vector<std::string>> rows{keys};
+  for (const json& entry : entries) {
+    auto& row = rows.emplace_back();
+    for (const std::string& key : keys) row.push_back(cell_text(entry.at(key)));
+  }
+  print_table(console, rows);
+}
+
+}  // namespace
+
+int list(const ListOptions& options, Console& console) {
+  struct Listing {
+    const char* what;
+    json (*entries)();
+    std::vector<std::string> columns;
+  };
+  const Listing listings[] = {
+      {"algorithms", list_algorithms, {"name", "dimension", "cites", "summary"}},
+      {"backends", list_backends, {"name", "exact", "domain", "summary"}},
+      {"datasets", list_datasets, {"name", "points", "summary"}},
+      {"claims", list_claims, {"id", "expected", "source", "statement"}},
+      {"formats", list_formats, {"name", "holds", "summary"}},
+      {"peers", [] { return json::array(); }, {"name", "summary"}},
+  };
+  for (const Listing& listing : listings) {
+    if (options.what != listing.what) continue;
+    const json entries = listing.entries();
+    if (console.json)
+      print_json(console, {{options.what, entries}});
+    else
+      print_entries(console, entries, listing.columns);
+    return good;
+  }
+  throw BadUsage("list what? algorithms, backends, datasets, claims, formats or peers, not '" + options.what +
+                 "'");
+}
+
+}  // namespace tribunal::cli

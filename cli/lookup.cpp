@@ -1,0 +1,44 @@
+#include "cli/lookup.hpp"
+
+#include "algorithms/list.hpp"
+#include "cli/console.hpp"
+#include "predicates/backends/list.hpp"
+
+namespace tribunal::cli {
+namespace {
+
+template <class Range, class Name>
+[[noreturn]] void refuse(const char* kind, const std::string& name, const Range& all, Name name_of) {
+  std::string message = std::string("there is no ") + kind + " '" + name + "'; there are";
+  const char* separator = " ";
+  for (const auto& entry : all) {
+    message.append(separator).append(name_of(entry));
+    separator = ", ";
+  }
+  throw BadUsage(message);
+}
+
+}  // namespace
+
+const PlanarAlgorithm& algorithm_named(const std::string& name) {
+  if (const auto* found = find_planar_algorithm(name)) return *found;
+  refuse("algorithm", name, planar_algorithms(), [](const auto& a) { return a.about.name; });
+}
+
+const BackendEntry& backend_named(const std::string& name) {
+  if (const auto* found = find_backend(name)) return *found;
+  refuse("backend", name, backends(), [](const auto& b) { return b.about->name; });
+}
+
+const Dataset& dataset_named(const std::string& name) {
+  if (const auto* found = find_dataset(name)) return *found;
+  refuse("dataset", name, datasets(), [](const auto& d) { return d.about.name; });
+}
+
+Order order_named(const std::string& name) {
+  Order order{};
+  if (parse_order(name, order)) return order;
+  refuse("order", name, order_names(), [](std::string_view o) { return o; });
+}
+
+}  // namespace tribunal::cli

@@ -1,0 +1,221 @@
+// The program: parses the command line, calls the verb, turns exceptions into one line and an exit status.
+#include "cli/console.hpp"
+#include "cli/verbs.hpp"
+#include "datasets/files/files.hpp"
+#include "predicates/environment.hpp"
+#include "reports/claim.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cctype>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+using namespace tribunal;
+using namespace tribunal::cli;
+
+/// True for what a user means as a number, good or bad: "-1", "-.5", "+3", "-0x1p3", "-inf", "nan", "1e".
+bool looks_like_number(const std::string& word) {
+  std::size_t i = !word.empty() && (word[0] == '-' || word[0] == '+') ? 1 : 0;
+  if (i >= word.size()) return false;
+  if (std::isdigit(static_cast<unsigned char>(word[i])) || word[i] == '.') return true;
+  return word.compare(i, 3, "inf") == 0 || word.compare(i, 3, "nan") == 0;
+}
+
+/// The numbers of `tribunal sign`, taken out of the arguments before options are looked for: "-1" is a
+/// coordinate.
+std::vector<std::string> take_numbers(std::vector<std::string>& words) {
+  std::vector<std::string> numbers, rest;
+  if (words.empty() || words[0] != "sign") return numbers;
+  for (const std::string& word : words) (looks_like_number(word) ? numbers : rest).push_back(word);
+  words = rest;
+  return numbers;
+}
+
+/// The command line: every verb with its options, and what to run once one was given.
+class CommandLine {
+ public:
+  explicit CommandLine(std::vector<std::string> numbers) {
+    app.set_version_flag("--version", "tribunal " TRIBUNAL_VERSION);
+    app.require_subcommand(1);
+    app.footer(
+        "tribunal <verb> --help shows a verb's options and an example.\n"
+        "Exit status: 0 good, 1 the judged thing failed, 2 bad usage or input, 3 internal error.");
+    add_list();
+    add_points();
+    add_sign(std::move(numbers));
+    add_triangulate();
+    add_verify();
+    add_run();
+    add_claims();
+    add_report();
+    add_cell();
+  }
+
+  void parse(std::vector<std::string> words) {
+    std::reverse(words.begin(), words.end());  // as CLI11 wants them
+    app.parse(words);
+  }
+  int run() { return action(console); }
+  int exit(const CLI::ParseError& error) { return app.exit(error, std::cout, std::cerr); }
+
+ private:
+  template <class Options>
+  CLI::App* add_verb(const char* name, const char* summary, const char* example, Options& options,
+                     int (*verb)(const Options&, Console&)) {
+    CLI::App* command = app.add_subcommand(name, summary);
+    command->footer(std::string("Example: ") + example);
+    command->add_flag("--json", console.json, "one JSON document on standard output, nothing else");
+    static const std::map<std::string, Progress> ways{{"auto", Progress::automatic},
+                                                      {"plain", Progress::plain},
+                                                      {"json", Progress::json},
+                                                      {"none", Progress::none}};
+    command
+        ->add_option("--progress", console.progress, "progress on standard error: auto, plain, json or none")
+        ->transform(CLI::CheckedTransformer(ways));
+    command->callback(
+        [this, &options, verb] { action = [&options, verb](Console& c) { return verb(options, c); }; });
+    return command;
+  }
+
+  void add_list() {
+    auto* verb = add_verb("list", "what is here, with citations and domains", "tribunal list backends",
+                          list_options, list);
+    verb->add_option("what", list_options.what, "algorithms, backends, datasets, claims, formats or peers")
+        ->required();
+  }
+  void add_points() {
+    auto* verb = add_verb("points", "generate a dataset", "tribunal points tilted-grid -n 1000 -o grid.xy",
+                          points_options, points);
+    verb->add_option("dataset", points_options.dataset, "see tribunal list datasets")->required();
+    verb->add_option("-n", points_options.n, "number of points")->capture_default_str();
+    verb->add_option("--seed", points_options.seed, "seed of the random numbers")->capture_default_str();
+    verb->add_option("--bits", points_options.bits, "quantise to integers in [0, 2^bits)");
+    verb->add_option("-o,--output", points_options.output, ".xy .csv .node .off, or - for standard output")
+        ->capture_default_str();
+  }
+  void add_sign(std::vector<std::string> numbers) {
+    sign_options.numbers = std::move(numbers);
+    auto* verb = add_verb("sign", "one query, every backend", "tribunal sign orient2d 0 0  1 1  -0x1p-53 2",
+                          sign_options, sign);
+    verb->add_option("predicate", sign_options.predicate, "orient2d, incircle, orient3d or insphere")
+        ->required();
+    verb->add_option("coordinates", sign_options.numbers,
+                     "decimal, hex-float or integer; negative ones as they are");
+    verb->add_option("--backend", sign_options.backends, "only this backend; may be repeated")->expected(1);
+  }
+  void add_triangulate() {
+    auto& o = triangulate_options;
+    auto* verb = add_verb("triangulate", "triangulate a file of points",
+                          "tribunal triangulate points.xy -o mesh.off --stats stats.json", o, triangulate);
+    verb->add_option("points", o.points, "a file, - for standard input, or a dataset's name")->required();
+    verb->add_option("--algorithm", o.algorithm, "see tribunal list algorithms")->capture_default_str();
+    verb->add_option("--backend", o.backend, "see tribunal list backends")->capture_default_str();
+    verb->add_option("--order", o.order, "insertion order: random, input, hilbert or x")
+        ->capture_default_str();
+    verb->add_option("--seed", o.seed, "seed of the random order")->capture_default_str();
+    verb->add_option("-n", o.n, "number of points, where a dataset is named")->capture_default_str();
+    verb->add_option("-o,--output", o.mesh, "mesh file: .off or .ele");
+    verb->add_option("--stats", o.stats, "statistics as JSON");
+    verb->add_option("--picture", o.picture, "picture: .svg");
+  }
+  void add_verify() {
+    auto* verb = add_verb("verify", "check a mesh exactly", "tribunal verify points.xy mesh.off",
+                          verify_options, tribunal::cli::verify);
+    verb->add_option("points", verify_options.points, "the points, as they were triangulated")->required();
+    verb->add_option("mesh", verify_options.mesh, "the mesh: .off or .ele")->required();
+    verb->add_option("--kind", verify_options.kind, "delaunay or triangulation")->capture_default_str();
+  }
+  void add_run() {
+    auto& o = run_options;
+    auto* verb = add_verb("run", "a campaign on this machine",
+                          "tribunal run bench/plans/quick.toml -o results --jobs 2", o, tribunal::cli::run);
+    verb->add_option("plan", o.plan, "campaign file (TOML)")->required();
+    verb->add_option("-o,--output", o.directory, "run folder")->required();
+    verb->add_option("--jobs", o.jobs, "cells at a time")->capture_default_str()->check(CLI::Range(1, 1024));
+    verb->add_flag("--resume", o.resume, "go on with an interrupted run");
+  }
+  void add_claims() {
+    auto& o = claims_options;
+    o.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    auto* verb =
+        add_verb("claims", "try the registered claims", "tribunal claims T4 T5 --tier quick", o, claims);
+    verb->add_option("ids", o.ids, "claims to try; all when none is named");
+    verb->add_option("--tier", o.tier, "quick or full")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"quick", "full"}));
+    verb->add_option("-o,--output", o.directory, "run folder to keep the rows in");
+    verb->add_option("--jobs", o.jobs, "cells at a time")->capture_default_str()->check(CLI::Range(1, 1024));
+    verb->add_flag("--resume", o.resume, "go on with an interrupted run");
+  }
+  void add_report() {
+    auto& o = report_options;
+    auto* verb = add_verb("report", "one offline page from result rows",
+                          "tribunal report results -o report.html", o, report);
+    verb->add_option("directories", o.directories, "run folders")->required();
+    verb->add_option("-o,--output", o.output, "the page")->capture_default_str();
+  }
+  void add_cell() {
+    auto* verb =
+        add_verb("cell", "run one cell and print its row",
+                 "tribunal cell '{\"task\":\"bowyer\",\"backend\":\"gmp\",\"dataset\":\"grid\",\"n\":100}'",
+                 cell_options, cell);
+    verb->add_option("cell", cell_options.cell, "the cell as JSON, as a row's command gives it")->required();
+  }
+
+  CLI::App app{"Tribunal puts geometric predicates and triangulation algorithms on trial."};
+  Console console{std::cout, std::cerr};
+  std::function<int(Console&)> action;
+  ListOptions list_options;
+  PointsOptions points_options;
+  SignOptions sign_options;
+  TriangulateOptions triangulate_options;
+  VerifyOptions verify_options;
+  RunOptions run_options;
+  ClaimsOptions claims_options;
+  ReportOptions report_options;
+  CellOptions cell_options;
+};
+
+int fail(const char* what, int status) {
+  std::cout.flush();
+  std::cerr << "tribunal: " << what << '\n';
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const std::string fault = describe_fault(witness_floating_point());
+    if (!fault.empty())
+      return fail(("this floating-point environment cannot be trusted: " + fault).c_str(), internal_error);
+    std::vector<std::string> words(argv + 1, argv + argc);
+    std::vector<std::string> numbers = take_numbers(words);
+    CommandLine line(std::move(numbers));
+    try {
+      line.parse(std::move(words));
+    } catch (const CLI::Success& help) {
+      return line.exit(help);
+    } catch (const CLI::ParseError& error) {
+      return fail(error.what(), bad_input);
+    }
+    const int status = line.run();
+    std::cout.flush();
+    return std::cout ? status : fail("standard output cannot be written", bad_input);
+  } catch (const BadUsage& error) {
+    return fail(error.what(), bad_input);
+  } catch (const BadInput& error) {
+    return fail(error.what(), bad_input);
+  } catch (const std::bad_alloc&) {
+    return fail("out of memory", internal_error);
+  } catch (const std::exception& error) {
+    return fail(error.what(), internal_error);
+  }
+}

@@ -1,0 +1,81 @@
+// The verbs of the program: options in, exit status out. Each has a file of its own; main.cpp parses the
+// command line.
+#pragma once
+
+#include "cli/console.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tribunal::cli {
+
+struct ListOptions {
+  std::string what;  ///< algorithms, backends, datasets, claims, formats or peers
+};
+int list(const ListOptions& options, Console& console);
+
+struct PointsOptions {
+  std::string dataset;
+  std::uint64_t n = 1000;
+  std::uint64_t seed = 1;
+  int bits = 0;  ///< 0: raw doubles
+  std::string output = "-";
+};
+int points(const PointsOptions& options, Console& console);
+
+struct SignOptions {
+  std::string predicate;
+  std::vector<std::string> numbers;   ///< decimal, hex-float or integer, as typed
+  std::vector<std::string> backends;  ///< empty: all
+};
+int sign(const SignOptions& options, Console& console);
+
+struct TriangulateOptions {
+  std::string points;
+  std::string algorithm = "green-sibson";
+  std::string backend = "filtered";
+  std::string order = "random";
+  std::uint64_t seed = 1;
+  std::uint64_t n = 1000;  ///< where `points` is a dataset's name
+  std::string mesh;        ///< output file; empty: none
+  std::string stats;       ///< statistics as JSON; empty: none
+  std::string picture;     ///< .svg; empty: none
+};
+int triangulate(const TriangulateOptions& options, Console& console);
+
+struct VerifyOptions {
+  std::string points, mesh;
+  std::string kind = "delaunay";
+};
+int verify(const VerifyOptions& options, Console& console);
+
+struct RunOptions {
+  std::string plan;
+  std::string directory;
+  int jobs = 1;
+  bool resume = false;
+};
+int run(const RunOptions& options, Console& console);
+
+struct CellOptions {
+  std::string cell;  ///< one cell as JSON
+};
+int cell(const CellOptions& options, Console& console);
+
+struct ClaimsOptions {
+  std::vector<std::string> ids;  ///< empty: all
+  std::string tier = "quick";
+  std::string directory;  ///< where rows are kept; empty: a scratch folder
+  int jobs = 1;
+  bool resume = false;
+};
+int claims(const ClaimsOptions& options, Console& console);
+
+struct ReportOptions {
+  std::vector<std::string> directories;
+  std::string output = "report.html";
+};
+int report(const ReportOptions& options, Console& console);
+
+}  // namespace tribunal::cli
