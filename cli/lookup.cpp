@@ -41,4 +41,9 @@ Order order_named(const std::string& name) {
   refuse("order", name, order_names(), [](std::string_view o) { return o; });
 }
 
+std::vector<Point2> generate(const Dataset& dataset, std::uint64_t n, std::uint64_t seed) {
+  const std::uint64_t usual = dataset.about.fixed_size ? dataset.about.fixed_size : 1000;
+  return dataset.generate(n ? n : usual, seed);
+}
+
 }  // namespace tribunal::cli

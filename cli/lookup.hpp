@@ -5,7 +5,9 @@
 #include "datasets/dataset.hpp"
 #include "predicates/backends/backend.hpp"
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace tribunal::cli {
 
@@ -14,5 +16,8 @@ const PlanarAlgorithm& algorithm_named(const std::string& name);
 const BackendEntry& backend_named(const std::string& name);
 const Dataset& dataset_named(const std::string& name);
 Order order_named(const std::string& name);
+
+/// n points of the dataset; n = 0: all of one of fixed size, 1000 of any other.
+std::vector<Point2> generate(const Dataset& dataset, std::uint64_t n, std::uint64_t seed);
 
 }  // namespace tribunal::cli

@@ -84,6 +84,11 @@ class CommandLine {
     return command;
   }
 
+  static void add_size(CLI::App* verb, std::uint64_t& n) {
+    verb->add_option("-n", n, "number of points of a dataset; default: all it has, or 1000")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 32));
+  }
+
   void add_list() {
     auto* verb = add_verb("list", "what is here, with citations and domains", "tribunal list backends",
                           list_options, list);
@@ -94,7 +99,7 @@ class CommandLine {
     auto* verb = add_verb("points", "generate a dataset", "tribunal points tilted-grid -n 1000 -o grid.xy",
                           points_options, points);
     verb->add_option("dataset", points_options.dataset, "see tribunal list datasets")->required();
-    verb->add_option("-n", points_options.n, "number of points")->capture_default_str();
+    add_size(verb, points_options.n);
     verb->add_option("--seed", points_options.seed, "seed of the random numbers")->capture_default_str();
     verb->add_option("--bits", points_options.bits, "quantise to integers in [0, 2^bits)");
     verb->add_option("-o,--output", points_options.output, ".xy .csv .node .off, or - for standard output")
@@ -117,10 +122,10 @@ class CommandLine {
     verb->add_option("points", o.points, "a file, - for standard input, or a dataset's name")->required();
     verb->add_option("--algorithm", o.algorithm, "see tribunal list algorithms")->capture_default_str();
     verb->add_option("--backend", o.backend, "see tribunal list backends")->capture_default_str();
-    verb->add_option("--order", o.order, "insertion order: random, input, hilbert or x")
+    verb->add_option("--order", o.order, "insertion order: random, input, hilbert, x or brio")
         ->capture_default_str();
     verb->add_option("--seed", o.seed, "seed of the random order")->capture_default_str();
-    verb->add_option("-n", o.n, "number of points, where a dataset is named")->capture_default_str();
+    add_size(verb, o.n);
     verb->add_option("-o,--output", o.mesh, "mesh file: .off or .ele");
     verb->add_option("--stats", o.stats, "statistics as JSON");
     verb->add_option("--picture", o.picture, "picture: .svg");

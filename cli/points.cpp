@@ -9,8 +9,7 @@ namespace tribunal::cli {
 
 int points(const PointsOptions& options, Console& console) {
   const Dataset& dataset = dataset_named(options.dataset);
-  if (options.n == 0) throw BadUsage("-n 0: a dataset has at least one point");
-  std::vector<Point2> sites = dataset.generate(options.n, options.seed);
+  std::vector<Point2> sites = generate(dataset, options.n, options.seed);
   if (options.bits != 0) {
     if (options.bits < 1 || options.bits > 53)
       throw BadUsage("--bits " + std::to_string(options.bits) + ": a lattice has 1 to 53 bits");

@@ -23,7 +23,7 @@ PointFile points_of(const TriangulateOptions& options) {
   if (options.points != "-" && !std::filesystem::exists(options.points))
     if (const Dataset* dataset = find_dataset(options.points)) {
       PointFile file;
-      file.points = dataset->generate(options.n, options.seed);
+      file.points = generate(*dataset, options.n, options.seed);
       return file;
     }
   return read_points(options.points);

@@ -17,7 +17,7 @@ int list(const ListOptions& options, Console& console);
 
 struct PointsOptions {
   std::string dataset;
-  std::uint64_t n = 1000;
+  std::uint64_t n = 0;  ///< 0: as many as the dataset has, 1000 where it has any number
   std::uint64_t seed = 1;
   int bits = 0;  ///< 0: raw doubles
   std::string output = "-";
@@ -37,10 +37,10 @@ struct TriangulateOptions {
   std::string backend = "filtered";
   std::string order = "random";
   std::uint64_t seed = 1;
-  std::uint64_t n = 1000;  ///< where `points` is a dataset's name
-  std::string mesh;        ///< output file; empty: none
-  std::string stats;       ///< statistics as JSON; empty: none
-  std::string picture;     ///< .svg; empty: none
+  std::uint64_t n = 0;  ///< where `points` is a dataset's name; 0: as in PointsOptions
+  std::string mesh;     ///< output file; empty: none
+  std::string stats;    ///< statistics as JSON; empty: none
+  std::string picture;  ///< .svg; empty: none
 };
 int triangulate(const TriangulateOptions& options, Console& console);
 

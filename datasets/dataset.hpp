@@ -15,13 +15,13 @@ struct DatasetAbout {
   std::string_view name;
   std::string_view cites;    ///< source or "this project"
   std::string_view summary;  ///< one line: what is hard about it
-  std::uint64_t fixed_size;  ///< > 0: the dataset has just this many points (duplicates included); 0: any n
+  std::uint64_t fixed_size;  ///< > 0: all there are, duplicates included; n takes the first
   bool integer;              ///< coordinates are integers as generated
 };
 
 struct Dataset {
   DatasetAbout about;
-  /// At least one and about n points (exactly n unless the summary says otherwise); same (n, seed), same bytes.
+  /// n points, n >= 1, or as many as the summary says; same (n, seed), same bytes.
   std::vector<Point2> (*generate)(std::uint64_t n, std::uint64_t seed);
 };
 
@@ -31,15 +31,17 @@ std::span<const Dataset> datasets();
 /// The dataset of that name, or null.
 const Dataset* find_dataset(std::string_view name);
 
-/// Rounds to the integer lattice [0, 2^bits)^2 by one scale and one shift for both axes, so that the longer side of the
-/// box fills it; shapes are kept, near coincidences may merge. 1 <= bits <= 53. All equal points go to the origin.
+/// Rounds to the integer lattice [0, 2^bits)^2 by one scale and one shift for both axes, so that the longer
+/// side of the box fills it; shapes are kept, near coincidences may merge. 1 <= bits <= 53. All equal points
+/// go to the origin.
 std::vector<Point2> quantise(std::span<const Point2> points, int bits);
 
 /// Insertion orders.
-enum class Order : std::uint8_t { random, input, hilbert, x };
+enum class Order : std::uint8_t { random, input, hilbert, x, brio };
 
-/// A permutation of 0 .. points.size()-1; only `random` uses the seed. `x` sorts lexicographically, `hilbert` along a
-/// Hilbert curve over the bounding box; ties by index.
+/// A permutation of 0 .. points.size()-1; only `random` and `brio` use the seed. `x` sorts
+/// lexicographically, `hilbert` along a Hilbert curve over the bounding box, ties by index; `brio` is random
+/// between rounds that double in length and along the curve within each (Amenta, Choi, Rote 2003).
 std::vector<std::uint32_t> insertion_order(std::span<const Point2> points, Order order, std::uint64_t seed);
 
 /// Names of orders, as on the command line.

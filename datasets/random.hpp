@@ -9,8 +9,9 @@
 
 namespace tribunal {
 
-/// xoshiro256** (Blackman and Vigna 2018), seeded through splitmix64 as its authors advise. Standard distributions
-/// and std::shuffle differ between libraries, so what the project draws is defined here and nowhere else.
+/// xoshiro256** (Blackman and Vigna 2018), seeded through splitmix64 as its authors advise. Standard
+/// distributions and std::shuffle differ between libraries, so what the project draws is defined here and
+/// nowhere else.
 class Random {
  public:
   explicit constexpr Random(std::uint64_t seed) {

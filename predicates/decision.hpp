@@ -18,7 +18,8 @@ enum class Stage : std::uint8_t {
   plugin,   ///< an outsider's code, which does not say
 };
 
-inline constexpr std::array<std::string_view, 5> stage_names{"rounded", "filter", "integer", "exact", "plugin"};
+inline constexpr std::array<std::string_view, 5> stage_names{"rounded", "filter", "integer", "exact",
+                                                             "plugin"};
 constexpr std::string_view to_string(Stage s) { return stage_names[static_cast<std::size_t>(s)]; }
 
 struct Decision {

@@ -18,8 +18,8 @@ struct Point {
   /// Equality of positions: -0 equals +0. A set of points is one with no two equal.
   friend constexpr bool operator==(const Point& a, const Point& b) { return a.coordinate == b.coordinate; }
 
-  /// Lexicographic order by x, then y, then z. On one line it is the order along the line, so it decides betweenness
-  /// of collinear points without any arithmetic.
+  /// Lexicographic order by x, then y, then z. On one line it is the order along the line, so it decides
+  /// betweenness of collinear points without any arithmetic.
   friend constexpr bool operator<(const Point& a, const Point& b) { return a.coordinate < b.coordinate; }
 };
 

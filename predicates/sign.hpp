@@ -14,8 +14,8 @@ constexpr Sign operator*(Sign a, Sign b) {
   return static_cast<Sign>(static_cast<std::int8_t>(a) * static_cast<std::int8_t>(b));
 }
 
-/// Sign of `value` by exact comparison with zero. A NaN has no sign and compares as zero: callers that can meet one
-/// must ask first.
+/// Sign of `value` by exact comparison with zero. A NaN has no sign and compares as zero: callers that can
+/// meet one must ask first.
 template <class Number>
 constexpr Sign sign_of(const Number& value) {
   const Number zero{};

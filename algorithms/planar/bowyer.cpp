@@ -1,11 +1,12 @@
-#include "algorithms/planar/bowyer.hpp"
-
+// Bowyer's insertion (1981): walk to one conflicting triangle, flood the connected cavity, star it from the
+// new site. With adjacency: O(n) retriangulation and O(n^{3/2}) walking expected in random order.
 #include "algorithms/abandon.hpp"
 #include "algorithms/location/walk.hpp"
 #include "algorithms/mesh/planar_mesh.hpp"
 #include "algorithms/planar/collect.hpp"
 #include "algorithms/planar/conflict.hpp"
 #include "algorithms/planar/first_triangle.hpp"
+#include "algorithms/planar/listed.hpp"
 
 #include <vector>
 
@@ -121,12 +122,20 @@ class Bowyer {
   std::vector<BoundaryEdge> boundary_;
 };
 
-}  // namespace
-
 Triangulation bowyer(const PlanarProblem& problem) {
   Bowyer algorithm(problem);
   for (const Index site : problem.sites.subspan(3)) algorithm.insert(site);
   return algorithm.result();
 }
+
+}  // namespace
+
+constinit const PlanarAlgorithm bowyer_algorithm{
+    .about = {.name = "bowyer",
+              .dimension = 2,
+              .cites = "Bowyer 1981",
+              .summary = "incremental Delaunay: walk to a conflict, flood the cavity, re-star it"},
+    .run = bowyer,
+};
 
 }  // namespace tribunal

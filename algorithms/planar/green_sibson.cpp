@@ -1,11 +1,13 @@
-#include "algorithms/planar/green_sibson.hpp"
-
+// Green and Sibson's insertion (1977) with the history DAG of Guibas, Knuth and Sharir (1992), Barth
+// section 3.3c: split the triangle that holds the site, then flip until all circles are empty. Expected O(n
+// log n) in random order.
 #include "algorithms/abandon.hpp"
 #include "algorithms/location/history_dag.hpp"
 #include "algorithms/mesh/planar_mesh.hpp"
 #include "algorithms/planar/collect.hpp"
 #include "algorithms/planar/conflict.hpp"
 #include "algorithms/planar/first_triangle.hpp"
+#include "algorithms/planar/listed.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -174,12 +176,20 @@ class GreenSibson {
   bool on_hull_ = false;
 };
 
-}  // namespace
-
 Triangulation green_sibson(const PlanarProblem& problem) {
   GreenSibson algorithm(problem);
   for (const Index site : problem.sites.subspan(3)) algorithm.insert(site);
   return algorithm.result();
 }
+
+}  // namespace
+
+constinit const PlanarAlgorithm green_sibson_algorithm{
+    .about = {.name = "green-sibson",
+              .dimension = 2,
+              .cites = "Green, Sibson 1977; Guibas, Knuth, Sharir 1992",
+              .summary = "incremental Delaunay: split, flip suspects, locate through the history DAG"},
+    .run = green_sibson,
+};
 
 }  // namespace tribunal

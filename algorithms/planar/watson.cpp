@@ -1,10 +1,13 @@
-#include "algorithms/planar/watson.hpp"
-
+// Watson's insertion (1981): a flat list of circles and no adjacency. Scan every circle for conflicts, delete
+// those triangles, join the site to the edges that remain. A triangle whose circle lies left of all sites
+// still to come is retired, so that x order scans O(sqrt n) circles per site on uniform data; random order
+// scans nearly all, O(n^2).
 #include "algorithms/abandon.hpp"
 #include "algorithms/planar/circle_extent.hpp"
 #include "algorithms/planar/collect.hpp"
 #include "algorithms/planar/conflict.hpp"
 #include "algorithms/planar/first_triangle.hpp"
+#include "algorithms/planar/listed.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -118,13 +121,21 @@ std::vector<double> least_x_to_come(const PlanarProblem& problem) {
   return least;
 }
 
-}  // namespace
-
 Triangulation watson(const PlanarProblem& problem) {
   const std::vector<double> least = least_x_to_come(problem);
   Watson algorithm(problem);
   for (std::size_t i = 3; i < problem.sites.size(); ++i) algorithm.insert(problem.sites[i], least[i]);
   return std::move(algorithm).result();
 }
+
+}  // namespace
+
+constinit const PlanarAlgorithm watson_algorithm{
+    .about = {.name = "watson",
+              .dimension = 2,
+              .cites = "Watson 1981",
+              .summary = "incremental Delaunay: scan a flat list of circles, cancel doubled edges"},
+    .run = watson,
+};
 
 }  // namespace tribunal

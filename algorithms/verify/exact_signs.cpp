@@ -15,9 +15,7 @@
 namespace tribunal::verify {
 namespace {
 
-// ------------------------------------------------------------------------------------------------- the
-// formulas Each once, over a vector of any number type. GMP's operators yield lazy expressions, hence no
-// `auto` for numbers.
+// ---- The formulas: each once, over any number type. GMP's operators yield lazy expressions, so no `auto`.
 
 template <class Number>
 struct Vector {
@@ -42,8 +40,7 @@ double dot_magnitude(const Vector<double>& p, const Vector<double>& q) {
   return std::abs(p.x * q.x) + std::abs(p.y * q.y);
 }
 
-// -------------------------------------------------------------------------------------------------- the
-// filters
+// ---- The filters.
 //
 // Rounding to nearest with unit u = 2^-53: fl(x +- y) = (x +- y)(1 + d), |d| <= u, also when the result is
 // subnormal; fl(x y) = x y (1 + d) + e, |e| <= h = 2^-1075, the e being there only for underflow. Write M for
@@ -94,8 +91,7 @@ std::optional<Sign> filtered_opposite_angles(Point2 a, Point2 b, Point2 u, Point
   return beyond(value, 12 * unit * magnitude + underflow * (1 + sum));
 }
 
-// -------------------------------------------------------------------------------------------------- exact
-// values
+// ---- The exact values.
 
 /// A finite double as an integer times a power of two.
 struct Scaled {

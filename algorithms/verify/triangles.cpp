@@ -19,12 +19,15 @@ bool in_range(std::uint32_t triangle, const Corners& corners, std::size_t points
   return false;
 }
 
-Corners by_first_copies(std::uint32_t triangle, Corners corners, const Sites& sites, FaultList& faults) {
-  for (std::uint32_t& corner : corners) {
-    const std::uint32_t first = sites.representative[corner];
-    if (first != corner)
-      faults.add(FaultKind::duplicate_used, {triangle}, {corner, first}, "uses a later copy of a point");
-    corner = first;
+Corners by_first_copies(std::uint32_t triangle, const Corners& listed, const Sites& sites,
+                        FaultList& faults) {
+  Corners corners = listed;
+  for (std::size_t i = 0; i < 3; ++i) {
+    corners[i] = sites.representative[listed[i]];
+    const bool named_before = std::find(listed.begin(), listed.begin() + i, listed[i]) != listed.begin() + i;
+    if (corners[i] != listed[i] && !named_before)
+      faults.add(FaultKind::duplicate_used, {triangle}, {listed[i], corners[i]},
+                 "uses a later copy of a point");
   }
   return corners;
 }

@@ -1,12 +1,16 @@
 // The checks in order, and why a mesh that passes them is a Delaunay triangulation.
 //
 // Write S for the distinct sites, H for their convex hull. Suppose that
-//   (1) every triangle has three distinct sites as corners and positive orientation (triangles.cpp); (2)
-//   every edge has one triangle, or two on opposite sides of it                            (topology.cpp);
-//   (3) the edges that have one triangle, directed so that it is on their left, are exactly the edges of the
-//   boundary
-//       of H between consecutive sites, collinear ones included, counter-clockwise (boundary.cpp);
-//   (4) every site is a corner of some triangle (topology.cpp).
+//
+// (1) every triangle has three distinct sites as corners and positive orientation (triangles.cpp);
+//
+// (2) every edge has one triangle, or two on opposite sides of it (topology.cpp);
+//
+// (3) the edges that have one triangle, directed so that it is on their left, are exactly the edges of the
+// boundary of H between consecutive sites, collinear ones included, counter-clockwise (boundary.cpp);
+//
+// (4) every site is a corner of some triangle (topology.cpp).
+//
 // Then the triangles are a triangulation of S: they cover H, and two of them meet in a common edge, a common
 // corner or not at all.
 //
@@ -31,9 +35,10 @@
 //
 // The checks for doubled triangles, fans around vertices, pieces, Euler's count and crossings thus find
 // nothing where (1) to (4) hold. They are there to name what is wrong where those do not, and stand guard
-// over each other: the fans, pieces and count are always looked at. The sweep for crossings is not, and need
-// not be: it runs when (2) or (3) fails for the triangles with an area, all turned counter-clockwise, which
-// by the argument above it must for them to overlap.
+// over each other: doubles, fans, pieces and the count are always looked at. The sweep for crossings is not,
+// and need not be. It looks at the triangles that have an area, each once and turned counter-clockwise; if
+// none was flat and (2) and (3) hold, the argument above applies to these and their corners, so that nothing
+// overlaps.
 #include "algorithms/verify/verify.hpp"
 
 #include "algorithms/verify/boundary.hpp"

@@ -18,26 +18,26 @@ enum class Kind : std::uint8_t { triangulation, delaunay };
 /// What can be wrong with a mesh. Behind each: the triangles | the points that its Fault names. Edges are
 /// named by their ends, smaller index first; duplicated points by their first copy, except in duplicate_used.
 enum class FaultKind : std::uint8_t {
-  index_out_of_range,  ///< a triangle names a point that is not there: it | the numbers that are no points
-  repeated_corner,     ///< a triangle names one point twice: it | the point
-  duplicate_used,      ///< a triangle uses a later copy of a duplicated point: it | the copy, the first
-  wrong_orientation,   ///< a triangle is clockwise: it | its corners
-  flat_triangle,       ///< a triangle has no area: it | its corners
-  doubled_triangle,    ///< two triangles have the same corners: the first, the later | the corners
-  non_manifold_edge,   ///< an edge has more than two triangles: they | the edge
-  folded_edge,         ///< both triangles of an edge lie on the same side of it: they | the edge
-  crossing_edges,      ///< two edges cross, a vertex lies inside an edge or a triangle: theirs | both edges'
-                   ///< ends, the vertex and the edge, or the vertex and the corners
+  index_out_of_range,   ///< a triangle names a point that is not there: it | the numbers that are no points
+  repeated_corner,      ///< a triangle names one point twice: it | the point
+  duplicate_used,       ///< a triangle uses a later copy of a duplicated point: it | the copy, the first
+  wrong_orientation,    ///< a triangle is clockwise: it | its corners
+  flat_triangle,        ///< a triangle has no area: it | its corners
+  doubled_triangle,     ///< two triangles have the same corners: the first, the later | the corners
+  non_manifold_edge,    ///< an edge has more than two triangles: they | the edge
+  folded_edge,          ///< both triangles of an edge lie on the same side of it: they | the edge
+  crossing_edges,       ///< two edges cross, a vertex lies inside an edge or a triangle: theirs | both edges'
+                        ///< ends, the vertex and the edge, or the vertex and the corners
   non_manifold_vertex,  ///< the triangles around a vertex form more than one fan: one of each | the vertex
   missing_site,         ///< a point is in no triangle: none | the point
   hull_mismatch,  ///< the outer boundary is not the boundary of the convex hull: the triangle behind an edge
                   ///< of the boundary (none for an edge of the hull that is not there) | the edge
   not_connected,  ///< the triangles enclose a hole or slit: those around it | their corners on it; or they
                   ///< form more than one piece: one of each | none
-  wrong_count,      ///< Euler: triangles != 2n - 2 - h: none | none
+  wrong_count,    ///< Euler: triangles != 2n - 2 - h: none | none
   wrong_neighbour,  ///< a given neighbour is not across the edge: the triangle, the neighbour if there is
                     ///< such a triangle | the edge
-  non_delaunay,  ///< a vertex lies strictly inside the circle across an edge: both | the edge, both apexes
+  non_delaunay,     ///< a vertex lies strictly inside the circle across an edge: both | the edge, both apexes
 };
 inline constexpr std::size_t fault_kinds = 16;
 

@@ -24,10 +24,11 @@ struct BackendAbout {
   bool exact;                ///< promises the true sign on its whole domain
 };
 
-/// A backend in D dimensions: a value that B::bind made for a point set, and that then only answers. `bind` either
-/// accepts all the points or names the first that lies outside the domain; `decide` never fails.
+/// A backend in D dimensions: a value that B::bind made for a point set, and that then only answers. `bind`
+/// either accepts all the points or names the first that lies outside the domain; `decide` never fails.
 template <class B, int D>
-concept Backend = std::movable<B> && requires(const B backend, std::span<const Point<D>> points, Point<D> point) {
+concept Backend = std::movable<B> &&
+    requires(const B backend, std::span<const Point<D>> points, Point<D> point) {
   { B::about } -> std::convertible_to<const BackendAbout&>;
   { B::bind(points) } -> std::same_as<Binding<B>>;
   { backend.admits(point) } -> std::same_as<bool>;

@@ -9,14 +9,15 @@
 
 namespace tribunal {
 
-/// Scales all coordinates by one power of two that makes them integers; a homogeneous polynomial keeps its sign. Exact
-/// over all finite doubles; integers reach (2100 + 53) * degree bits when exponents are spread over the whole range.
+/// Scales all coordinates by one power of two that makes them integers; a homogeneous polynomial keeps its
+/// sign. Exact over all finite doubles; integers reach (2100 + 53) * degree bits when exponents are spread
+/// over the whole range.
 template <class Formula>
 Sign exact_sign(const Query<Formula>& query) {
   int exponent = std::numeric_limits<int>::max();
   for (const auto& point : query)
     for (const double c : point.coordinate)
-      if (c != 0) exponent = std::min(exponent, lowest_bit_exponent(c));
+      if (c != 0) exponent = std::min(exponent, to_dyadic(c).exponent);
   return sign_of(Formula::determinant(
       convert_arguments<BigInteger, Formula>(query, [&](double c) { return scaled_integer(c, exponent); })));
 }

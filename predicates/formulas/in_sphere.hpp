@@ -3,12 +3,12 @@
 
 namespace tribunal {
 
-/// InSphere<D>::determinant(p): p0..pD span the sphere, pD+1 is the query; positive when the query is strictly inside
-/// the sphere of positively oriented points. Over any ring, as Orient<D>.
+/// InSphere<D>::determinant(p): p0..pD span the sphere, pD+1 is the query; positive when the query is
+/// strictly inside the sphere of positively oriented points. Over any ring, as Orient<D>.
 ///
 /// With rows (p_i - q, |p_i - q|^2) this is PLUS the determinant in the plane and MINUS it in space, for our
-/// orientation conventions; the determinant printed by Barth in section 3.7 is therefore negative inside when his
-/// tetrahedron is positively oriented.
+/// orientation conventions; the determinant printed by Barth in section 3.7 is therefore negative inside when
+/// his tetrahedron is positively oriented.
 template <int D>
 struct InSphere;
 

@@ -3,13 +3,14 @@
 
 namespace tribunal {
 
-/// Orient<D>::determinant(p) = det(p1-p0, ..., pD-p0), over any ring: numbers need only -, + and *, and the type may
-/// change on the way (a difference of coordinates need not be of a coordinate's type).
+/// Orient<D>::determinant(p) = det(p1-p0, ..., pD-p0), over any ring: numbers need only -, + and *, and the
+/// type may change on the way (a difference of coordinates need not be of a coordinate's type).
 ///
 /// D = 2: positive for a counter-clockwise triple; twice the signed area.
-/// D = 3: positive when p3 is on the side of the plane p0 p1 p2 from which they turn counter-clockwise seen from the
-/// other side, i.e. det(b-a, c-a, d-a) > 0; six times the signed volume. This is CGAL::orientation and minus
-/// Shewchuk's orient3d. Barth's (3.7.0) calls the same determinant of (1,2,3,4) positive for his T1.
+/// D = 3: positive when p3 is on the side of the plane p0 p1 p2 from which they turn counter-clockwise seen
+/// from the other side, i.e. det(b-a, c-a, d-a) > 0; six times the signed volume. This is CGAL::orientation
+/// and minus Shewchuk's orient3d. Barth's (3.7.0) calls the same determinant of (1,2,3,4) positive for his
+/// T1.
 template <int D>
 struct Orient;
 

@@ -1,6 +1,5 @@
 // Laws of insertion orders.
 #include "datasets/dataset.hpp"
-
 #include "tests/datasets/support.hpp"
 
 #include <algorithm>
@@ -10,13 +9,14 @@
 namespace tribunal {
 namespace {
 
-constexpr std::array orders{Order::random, Order::input, Order::hilbert, Order::x};
+constexpr std::array orders{Order::random, Order::input, Order::hilbert, Order::x, Order::brio};
 
 double length(std::span<const Point2> points, Order order) {
   const auto path = insertion_order(points, order, 1);
   double sum = 0;
   for (std::size_t i = 1; i < path.size(); ++i)
-    sum += std::hypot(points[path[i]][0] - points[path[i - 1]][0], points[path[i]][1] - points[path[i - 1]][1]);
+    sum +=
+        std::hypot(points[path[i]][0] - points[path[i - 1]][0], points[path[i]][1] - points[path[i - 1]][1]);
   return sum;
 }
 
@@ -36,10 +36,11 @@ TEST(Orders, ArePermutations) {
   }
 }
 
-TEST(Orders, OnlyRandomDependsOnTheSeed) {
+TEST(Orders, OnlyRandomAndBrioDependOnTheSeed) {
   const auto points = find_dataset("uniform")->generate(100, 1);
   for (const Order order : orders)
-    EXPECT_EQ(insertion_order(points, order, 1) != insertion_order(points, order, 2), order == Order::random);
+    EXPECT_EQ(insertion_order(points, order, 1) != insertion_order(points, order, 2),
+              order == Order::random || order == Order::brio);
 }
 
 TEST(Orders, InputIsTheIdentity) {
@@ -69,6 +70,24 @@ TEST(Orders, HilbertIsLocal) {
   const auto points = find_dataset("uniform")->generate(10000, 1);
   EXPECT_LT(length(points, Order::hilbert), length(points, Order::random) / 40);
   EXPECT_LT(length(points, Order::hilbert), 1.0 * std::sqrt(10000));  // about 0.92 sqrt(n) for uniform points
+}
+
+TEST(Orders, BrioIsHilbertWithinRoundsThatDoubleAndRandomBetweenThem) {
+  const auto points = find_dataset("uniform")->generate(4096, 1);
+  const auto curve = insertion_order(points, Order::hilbert, 1);
+  std::vector<std::size_t> along(curve.size());
+  for (std::size_t i = 0; i < curve.size(); ++i) along[curve[i]] = i;
+  const auto brio = insertion_order(points, Order::brio, 1);
+  std::size_t begin = 0;
+  for (std::size_t end = 64; end <= brio.size(); begin = end, end *= 2) {
+    std::size_t wide_gaps = 0;
+    for (std::size_t i = begin + 1; i < end; ++i) {
+      ASSERT_LT(along[brio[i - 1]], along[brio[i]]);
+      // A sample spread over the whole curve leaves no gap much wider than its mean.
+      if (along[brio[i]] - along[brio[i - 1]] > 12 * brio.size() / (end - begin)) ++wide_gaps;
+    }
+    EXPECT_EQ(wide_gaps, 0U);
+  }
 }
 
 TEST(Orders, HilbertKeepsEqualPointsByIndex) {

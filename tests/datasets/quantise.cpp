@@ -1,6 +1,5 @@
 // Laws of quantise().
 #include "datasets/dataset.hpp"
-
 #include "tests/datasets/support.hpp"
 
 #include <algorithm>
@@ -70,7 +69,8 @@ TEST(Quantise, TakesBoxesAsWideAsDoublesAndAsNarrow) {
   const std::vector<Point2> lattice{{{0, 0}}, {{255, 255}}, {{128, 128}}};
   EXPECT_EQ(quantise(std::vector<Point2>{{{-most, -most}}, {{most, most}}, {{0, 0}}}, 8), lattice);
   constexpr double least = std::numeric_limits<double>::denorm_min();
-  EXPECT_EQ(quantise(std::vector<Point2>{{{0, -0.0}}, {{2 * least, 2 * least}}, {{least, least}}}, 8), lattice);
+  EXPECT_EQ(quantise(std::vector<Point2>{{{0, -0.0}}, {{2 * least, 2 * least}}, {{least, least}}}, 8),
+            lattice);
 }
 
 }  // namespace

@@ -13,17 +13,16 @@
 #include <sstream>
 #include <string>
 #include <string_view>
-#include <utility>
-
 #include <unistd.h>
+#include <utility>
 
 namespace tribunal::test {
 
 __extension__ using Wide = __int128;
 
-inline Wide wide(double integer) { return static_cast<std::int64_t>(integer); }
+inline Wide wide(double integer) { return static_cast<Wide>(integer); }
 
-/// orient2d of integer points below 2^60, exact.
+/// orient2d of integer points below 2^62, exact.
 inline Wide orient(const Point2& a, const Point2& b, const Point2& c) {
   return (wide(a[0]) - wide(c[0])) * (wide(b[1]) - wide(c[1])) -
          (wide(a[1]) - wide(c[1])) * (wide(b[0]) - wide(c[0]));

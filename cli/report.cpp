@@ -1,0 +1,59 @@
+// tribunal report: one offline page from result rows.
+#include "bench/store.hpp"
+#include "cli/trials.hpp"
+#include "cli/verbs.hpp"
+#include "datasets/files/files.hpp"
+#include "datasets/files/text.hpp"
+#include "reports/page/page.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <ostream>
+
+namespace tribunal::cli {
+namespace {
+
+nlohmann::json manifest_of(const std::string& directory) {
+  const std::filesystem::path path = std::filesystem::path(directory) / "manifest.json";
+  const nlohmann::json manifest = nlohmann::json::parse(read_text(path), nullptr, false);
+  if (manifest.is_discarded()) throw BadInput(path.string() + ": not a JSON document");
+  return manifest;
+}
+
+/// By the full tier where all its rows are there, else by the quick one.
+reports::Tried try_by_best_tier(const reports::Claim& claim, const RowsByKey& rows) {
+  reports::Tried tried = try_on(claim, "full", rows);
+  return tried.judgement.verdict == reports::Verdict::untried ? try_on(claim, "quick", rows) : tried;
+}
+
+}  // namespace
+
+int report(const ReportOptions& options, Console& console) {
+  std::vector<bench::Row> rows;
+  nlohmann::json manifests = nlohmann::json::object();
+  for (const std::string& directory : options.directories) {
+    const auto some = bench::read_rows(directory);
+    rows.insert(rows.end(), some.begin(), some.end());
+    manifests[directory] = manifest_of(directory);
+  }
+  const RowsByKey index = by_key(rows);
+  std::vector<reports::Tried> trials;
+  for (const reports::Claim& claim : reports::registered_claims())
+    trials.push_back(try_by_best_tier(claim, index));
+
+  const nlohmann::json manifest = manifests.size() == 1 ? *manifests.begin() : manifests;
+  write_text(options.output, reports::page({.manifest = manifest, .rows = rows, .trials = trials}));
+  if (console.json) {
+    nlohmann::json document = reports::claims_json(trials);
+    document["report"] = options.output;
+    document["rows"] = rows.size();
+    print_json(console, document);
+  } else if (options.output != "-") {
+    console.out << reports::verdict_table(trials) << "\n"
+                << rows.size() << " rows in " << options.output << '\n';
+  }
+  return good;
+}
+
+}  // namespace tribunal::cli

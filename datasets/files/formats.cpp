@@ -1,0 +1,75 @@
+#include "datasets/files/format.hpp"
+#include "datasets/files/text.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace tribunal {
+namespace {
+using files::Format;
+using Member = bool (*)(const Format&);
+
+const std::array all{&files::xy, &files::xyz, &files::csv, &files::node, &files::ele, &files::off};
+
+/// The format of the path's ending; refuses when there is none or it does not hold such things.
+const Format& format_of(const std::filesystem::path& path, const Format& piped, std::string_view things,
+                        Member holds) {
+  if (path == "-") return piped;
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::string known;
+  for (const Format* format : all) {
+    if (!holds(*format)) continue;
+    if (format->about.name == ending) return *format;
+    known.append(" ").append(format->about.name);
+  }
+  throw BadInput(name_of(path) + ": no format for " + std::string(things) + " has the ending " +
+                 in_quotes(ending) + ", there are" + known);
+}
+}  // namespace
+
+PointFile read_points(const std::filesystem::path& path) {
+  const Format& format =
+      format_of(path, files::xy, "points", [](const Format& f) { return f.read_points != nullptr; });
+  const std::string text = read_text(path);
+  Scanner scanner(name_of(path), text, format.separator);
+  return format.read_points(scanner);
+}
+
+MeshFile read_mesh(const std::filesystem::path& path, std::uint64_t sites) {
+  const Format& format =
+      format_of(path, files::off, "meshes", [](const Format& f) { return f.read_mesh != nullptr; });
+  const std::string text = read_text(path);
+  Scanner scanner(name_of(path), text, format.separator);
+  return format.read_mesh(scanner, sites);
+}
+
+void write_points(const std::filesystem::path& path, std::span<const Point2> points) {
+  const Format& format =
+      format_of(path, files::xy, "points", [](const Format& f) { return f.write_points != nullptr; });
+  write_text(path, format.write_points(points));
+}
+
+void write_mesh(const std::filesystem::path& path, std::span<const Point2> points,
+                std::span<const std::array<std::uint32_t, 3>> triangles) {
+  const Format& format =
+      format_of(path, files::off, "meshes", [](const Format& f) { return f.write_mesh != nullptr; });
+  if (format.points_beside != nullptr) {
+    auto beside = path;
+    beside.replace_extension(format.points_beside->about.name);
+    write_text(beside, format.points_beside->write_points(points));
+  }
+  write_text(path, format.write_mesh(points, triangles));
+}
+
+std::span<const FormatAbout> formats() {
+  static const auto abouts = [] {
+    std::array<FormatAbout, all.size()> about{};
+    std::ranges::transform(all, about.begin(), [](const Format* format) { return format->about; });
+    return about;
+  }();
+  return abouts;
+}
+
+}  // namespace tribunal
