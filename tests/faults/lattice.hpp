@@ -1,4 +1,5 @@
-// Integer points and the signs of the tests, in 128-bit integers: nothing is shared with the checker under test.
+// Integer points and the signs of the tests, in 128-bit integers: nothing is shared with the checker under
+// test.
 #pragma once
 
 #include "predicates/point.hpp"
@@ -25,7 +26,9 @@ constexpr Wide area(LatticePoint a, LatticePoint b, LatticePoint c) {
 
 /// Positive when d is strictly inside the circle of the counter-clockwise a, b, c: the lifted determinant.
 constexpr Wide in_circle(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint d) {
-  const auto lift = [d](LatticePoint p) { return Wide{p.x - d.x} * (p.x - d.x) + Wide{p.y - d.y} * (p.y - d.y); };
+  const auto lift = [d](LatticePoint p) {
+    return Wide{p.x - d.x} * (p.x - d.x) + Wide{p.y - d.y} * (p.y - d.y);
+  };
   return lift(a) * area(d, b, c) - lift(b) * area(d, a, c) + lift(c) * area(d, a, b);
 }
 
@@ -49,7 +52,8 @@ constexpr bool inside_triangle(LatticePoint a, LatticePoint b, LatticePoint c, L
 /// The same points as doubles; exact.
 inline std::vector<Point2> as_points(const std::vector<LatticePoint>& lattice) {
   std::vector<Point2> points;
-  for (const LatticePoint& p : lattice) points.push_back({{static_cast<double>(p.x), static_cast<double>(p.y)}});
+  for (const LatticePoint& p : lattice)
+    points.push_back({{static_cast<double>(p.x), static_cast<double>(p.y)}});
   return points;
 }
 

@@ -25,7 +25,8 @@ std::uint32_t first_copy(const Points& points, std::uint32_t i) {
 std::vector<std::uint32_t> list(const Triangle& corners) { return {corners.begin(), corners.end()}; }
 
 /// The faults of single triangles and of doubles; returns the triangles that are left.
-std::vector<Turned> sift(const Points& points, const std::vector<Triangle>& triangles, std::set<Finding>& found) {
+std::vector<Turned> sift(const Points& points, const std::vector<Triangle>& triangles,
+                         std::set<Finding>& found) {
   std::vector<Turned> left;
   std::map<std::vector<std::uint32_t>, std::uint32_t> seen;
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
@@ -92,11 +93,13 @@ void find_edge_faults(const Points& points, const std::vector<Turned>& triangles
     }
     const Triangle& t = uses[0].triangle->corners;
     if (in_circle(points[t[0]], points[t[1]], points[t[2]], points[uses[1].apex]) > 0)
-      found.insert(finding(FaultKind::non_delaunay, both, {edge.first, edge.second, uses[0].apex, uses[1].apex}));
+      found.insert(
+          finding(FaultKind::non_delaunay, both, {edge.first, edge.second, uses[0].apex, uses[1].apex}));
   }
 }
 
-void find_missing_sites(const Points& points, const std::vector<Turned>& triangles, std::set<Finding>& found) {
+void find_missing_sites(const Points& points, const std::vector<Turned>& triangles,
+                        std::set<Finding>& found) {
   std::set<std::uint32_t> used;
   for (const Turned& t : triangles) used.insert(t.corners.begin(), t.corners.end());
   for (const std::uint32_t site : distinct_sites(points))
@@ -108,15 +111,17 @@ std::uint64_t count_hull(const Points& points) {
   const std::vector<std::uint32_t> sites = distinct_sites(points);
   std::uint64_t hull = 0;
   for (const std::uint32_t p : sites)
-    hull += std::any_of(sites.begin(), sites.end(), [&](std::uint32_t q) {
-      return q != p && std::all_of(sites.begin(), sites.end(), [&](std::uint32_t r) {
-               return area(points[p], points[q], points[r]) >= 0;
-             });
-    }) || std::any_of(sites.begin(), sites.end(), [&](std::uint32_t q) {
-      return q != p && std::all_of(sites.begin(), sites.end(), [&](std::uint32_t r) {
-               return area(points[p], points[q], points[r]) <= 0;
-             });
-    });
+    hull += std::any_of(sites.begin(), sites.end(),
+                        [&](std::uint32_t q) {
+                          return q != p && std::all_of(sites.begin(), sites.end(), [&](std::uint32_t r) {
+                                   return area(points[p], points[q], points[r]) >= 0;
+                                 });
+                        }) ||
+            std::any_of(sites.begin(), sites.end(), [&](std::uint32_t q) {
+              return q != p && std::all_of(sites.begin(), sites.end(), [&](std::uint32_t r) {
+                       return area(points[p], points[q], points[r]) <= 0;
+                     });
+            });
   return hull;
 }
 
@@ -147,9 +152,9 @@ Finding finding(const verify::Fault& fault) { return finding(fault.kind, fault.s
 
 const std::set<FaultKind>& naive_kinds() {
   static const std::set<FaultKind> kinds{
-      FaultKind::index_out_of_range, FaultKind::repeated_corner,   FaultKind::duplicate_used,
-      FaultKind::wrong_orientation,  FaultKind::flat_triangle,     FaultKind::doubled_triangle,
-      FaultKind::non_manifold_edge,  FaultKind::folded_edge,       FaultKind::missing_site,
+      FaultKind::index_out_of_range, FaultKind::repeated_corner, FaultKind::duplicate_used,
+      FaultKind::wrong_orientation,  FaultKind::flat_triangle,   FaultKind::doubled_triangle,
+      FaultKind::non_manifold_edge,  FaultKind::folded_edge,     FaultKind::missing_site,
       FaultKind::wrong_count,        FaultKind::non_delaunay};
   return kinds;
 }
@@ -175,14 +180,16 @@ bool naive_overlap(const Points& points, const std::vector<Triangle>& triangles)
   for (const Turned& t : turned)
     for (const auto& [e, uses] : edges)
       for (const std::uint32_t q : {e.first, e.second})
-        if (inside_triangle(points[t.corners[0]], points[t.corners[1]], points[t.corners[2]], points[q])) return true;
+        if (inside_triangle(points[t.corners[0]], points[t.corners[1]], points[t.corners[2]], points[q]))
+          return true;
   return false;
 }
 
 bool is_overlap(const Points& points, const std::vector<std::uint32_t>& named) {
   const auto p = [&](std::size_t i) { return points[named[i]]; };
   if (named.size() == 3) return inside_segment(p(1), p(2), p(0));
-  return named.size() == 4 && (cross_properly(p(0), p(1), p(2), p(3)) || inside_triangle(p(1), p(2), p(3), p(0)));
+  return named.size() == 4 &&
+         (cross_properly(p(0), p(1), p(2), p(3)) || inside_triangle(p(1), p(2), p(3), p(0)));
 }
 
 }  // namespace tribunal::faults

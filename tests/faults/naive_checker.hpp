@@ -22,19 +22,23 @@ struct Finding {
 std::ostream& operator<<(std::ostream& out, const Finding& finding);
 
 /// Sorts the numbers of a finding.
-Finding finding(verify::FaultKind kind, std::vector<std::uint32_t> triangles, std::vector<std::uint32_t> points);
+Finding finding(verify::FaultKind kind, std::vector<std::uint32_t> triangles,
+                std::vector<std::uint32_t> points);
 Finding finding(const verify::Fault& fault);
 
 /// The kinds that the naive checker decides, all but crossing_edges in full detail.
 const std::set<verify::FaultKind>& naive_kinds();
 
 /// All faults of naive_kinds() but crossings.
-std::set<Finding> naive_findings(const std::vector<LatticePoint>& points, const std::vector<Triangle>& triangles);
+std::set<Finding> naive_findings(const std::vector<LatticePoint>& points,
+                                 const std::vector<Triangle>& triangles);
 
-/// Whether two different triangles with an area overlap: two edges cross, or a vertex is inside an edge or a triangle.
+/// Whether two different triangles with an area overlap: two edges cross, or a vertex is inside an edge or a
+/// triangle.
 bool naive_overlap(const std::vector<LatticePoint>& points, const std::vector<Triangle>& triangles);
 
-/// Whether what a crossing_edges fault says of these points is so: (vertex, edge), (edge, edge) or (vertex, triangle).
+/// Whether what a crossing_edges fault says of these points is so: (vertex, edge), (edge, edge) or (vertex,
+/// triangle).
 bool is_overlap(const std::vector<LatticePoint>& points, const std::vector<std::uint32_t>& named);
 
 }  // namespace tribunal::faults

@@ -12,7 +12,8 @@ namespace {
 
 using Points = std::vector<LatticePoint>;
 
-/// All sites on the circle of the counter-clockwise a, b, c, if none is inside; empty otherwise. In the order of `sites`.
+/// All sites on the circle of the counter-clockwise a, b, c, if none is inside; empty otherwise. In the order
+/// of `sites`.
 std::vector<std::uint32_t> on_empty_circle(const Points& points, const std::vector<std::uint32_t>& sites,
                                            const Triangle& t) {
   std::vector<std::uint32_t> on;
@@ -66,7 +67,8 @@ Points cocircular_points(Random& random) {
       if (x * x + y * y == 65 * 65) points.push_back({x, y});
   random.shuffle(std::span(points));
   points.resize(8 + random.below(16));
-  for (std::uint64_t i = random.below(8); i > 0; --i) points.push_back({draw(random, 61) - 30, draw(random, 61) - 30});
+  for (std::uint64_t i = random.below(8); i > 0; --i)
+    points.push_back({draw(random, 61) - 30, draw(random, 61) - 30});
   return points;
 }
 
@@ -125,7 +127,8 @@ std::vector<Triangle> triangulate_by_definition(const Points& points, const std:
         if (turn < 0) std::swap(t[1], t[2]);
         std::vector<std::uint32_t> circle = on_empty_circle(points, sites, t);
         // Each circle once, by the first three of its points.
-        if (circle.size() < 3 || circle[0] != sites[i] || circle[1] != sites[j] || circle[2] != sites[k]) continue;
+        if (circle.size() < 3 || circle[0] != sites[i] || circle[1] != sites[j] || circle[2] != sites[k])
+          continue;
         std::sort(circle.begin() + 1, circle.end(), [&](std::uint32_t a, std::uint32_t b) {
           return area(points[circle[0]], points[a], points[b]) > 0;
         });
@@ -152,13 +155,27 @@ Sample make_sample(std::uint32_t i) {
   Random random(0xFA017 + i);
   Sample sample;
   switch (i % families) {
-    case 0: sample = {"random", random_points(random, 8 + random.below(32), 1 << 17), {}}; break;
-    case 1: sample = {"part of a grid", part_of_grid(random), {}}; break;
-    case 2: sample = {"grid", grid(2 + draw(random, 5), 2 + draw(random, 5)), {}}; break;
-    case 3: sample = {"cocircular", cocircular_points(random), {}}; break;
-    case 4: sample = {"collinear on the hull", collinear_on_hull(random), {}}; break;
-    case 5: sample = {"clusters", clusters(random), {}}; break;
-    default: sample = {"with copies", with_copies(random), {}}; break;
+    case 0:
+      sample = {"random", random_points(random, 8 + random.below(32), 1 << 17), {}};
+      break;
+    case 1:
+      sample = {"part of a grid", part_of_grid(random), {}};
+      break;
+    case 2:
+      sample = {"grid", grid(2 + draw(random, 5), 2 + draw(random, 5)), {}};
+      break;
+    case 3:
+      sample = {"cocircular", cocircular_points(random), {}};
+      break;
+    case 4:
+      sample = {"collinear on the hull", collinear_on_hull(random), {}};
+      break;
+    case 5:
+      sample = {"clusters", clusters(random), {}};
+      break;
+    default:
+      sample = {"with copies", with_copies(random), {}};
+      break;
   }
   sample.triangles = triangulate_by_definition(sample.points, distinct_sites(sample.points), random);
   return sample;

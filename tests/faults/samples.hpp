@@ -19,9 +19,9 @@ struct Sample {
   std::vector<Triangle> triangles;
 };
 
-/// A Delaunay triangulation of the points numbered by `sites` (distinct, not all collinear), from its definition: the
-/// triples whose circle is empty; where more than three points share an empty circle, ears are cut off their polygon at
-/// random. Triangles are counter-clockwise and in no particular order. O(n^4).
+/// A Delaunay triangulation of the points numbered by `sites` (distinct, not all collinear), from its
+/// definition: the triples whose circle is empty; where more than three points share an empty circle, ears
+/// are cut off their polygon at random. Triangles are counter-clockwise and in no particular order. O(n^4).
 std::vector<Triangle> triangulate_by_definition(const std::vector<LatticePoint>& points,
                                                 const std::vector<std::uint32_t>& sites, Random& random);
 
