@@ -97,7 +97,7 @@ TEST(Report, OnePageFromAFolderOfRows) {
   const auto ended = tribunal({"report", out, "-o", page});
   ASSERT_EQ(ended.status, 0) << ended.err;
   const std::string html = read(page);
-  EXPECT_EQ(html.rfind("<!doctype html>", 0), 0U);
+  EXPECT_EQ(html.rfind("<!DOCTYPE html>", 0), 0U);
   EXPECT_NE(html.find("green-sibson"), std::string::npos);
 }
 

@@ -83,7 +83,7 @@ TEST(List, PromisedNamesAreThere) {
   const auto names = [](const char* what) {
     std::set<std::string> all;
     const auto listed = tribunal({"list", what, "--json"}).json();
-    for (const auto& entry : listed.at(what)) all.insert(entry.at("name"));
+    for (const auto& entry : listed.at(what)) all.insert(entry.at("name").get<std::string>());
     return all;
   };
   const auto backends = names("backends"), algorithms = names("algorithms"), datasets = names("datasets");
@@ -126,15 +126,16 @@ TEST(Sign, NegativeNumbersNeedNoEscaping) {
   const auto signs =
       tribunal({"sign", "orient2d", "-1", "-1", "-.5", "-0x1p-1", "-1e0", "+3", "--json"}).json().at("signs");
   EXPECT_GE(signs.size(), 7U);
-  for (const auto& s : signs)
-    if (s.at("sign") != "out_of_domain") EXPECT_EQ(s.at("sign"), "+") << s;
+  for (const auto& s : signs) EXPECT_TRUE(s.at("sign") == "+" || s.at("sign") == "out_of_domain") << s;
 }
 
 TEST(Sign, BackendsDifferWhereDoublesRound) {
   const std::vector<std::string> query{"sign", "orient2d",           "0.5",   "0.5", "12", "12",
                                        "24",   "24.000000000000004", "--json"};
   for (const auto& s : tribunal(query).json().at("signs"))
-    if (s.at("backend") == "gmp" || s.at("backend") == "filtered") EXPECT_EQ(s.at("sign"), "+") << s;
+    EXPECT_TRUE(s.at("sign") == "+" || s.at("backend").get<std::string>().starts_with("double") ||
+                s.at("sign") == "out_of_domain")
+        << s;
 }
 
 TEST(Sign, ThePrintedProgramIsWrongOnACircle) {
@@ -142,7 +143,7 @@ TEST(Sign, ThePrintedProgramIsWrongOnACircle) {
   const std::vector<std::string> query{"sign", "incircle", "5", "0",  "0",     "5",
                                        "-5",   "0",        "3", "-4", "--json"};
   for (const auto& s : tribunal(query).json().at("signs"))
-    if (s.at("backend") != "knuth-as-printed") EXPECT_EQ(s.at("sign"), "0") << s;
+    EXPECT_EQ(s.at("sign") == "0", s.at("backend") != "knuth-as-printed") << s;
 }
 
 TEST(Sign, RefusalsSayWhy) {

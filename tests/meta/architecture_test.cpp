@@ -148,7 +148,8 @@ TEST(Architecture, ForbiddenThings) {
   const std::regex recursion_free_flags("-ffast-math|-Ofast|-funsafe-math");
   for (const std::string room : rooms)
     for (const Source& source : sources_of(room)) {
-      EXPECT_FALSE(std::regex_search(source.text, random))
+      const std::string code = std::regex_replace(source.text, std::regex("//[^\n]*"), "");
+      EXPECT_FALSE(std::regex_search(code, random))
           << source.path << ": random numbers that differ by library";
       EXPECT_FALSE(std::regex_search(source.text, undone)) << source.path << ": left undone";
       EXPECT_TRUE(source.text.find("CLI/") == std::string::npos || source.path == "cli/main.cpp")

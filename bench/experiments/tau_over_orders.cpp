@@ -1,0 +1,58 @@
+#include "bench/experiments/tau_over_orders.hpp"
+
+#include "algorithms/list.hpp"
+#include "algorithms/triangulate.hpp"
+#include "bench/experiments/tau_bound.hpp"
+#include "bench/input.hpp"
+#include "bench/judge.hpp"
+#include "bench/statistics.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace tribunal::bench {
+
+std::vector<std::string_view> algorithm_names() {
+  std::vector<std::string_view> names;
+  for (const PlanarAlgorithm& algorithm : planar_algorithms()) names.push_back(algorithm.about.name);
+  return names;
+}
+
+Finding run_tau_over_orders(const Cell& cell) {
+  const PlanarAlgorithm& algorithm = *find_planar_algorithm(choice(cell, tau_over_orders::algorithm));
+  const std::uint64_t orders = whole_number(cell, tau_over_orders::orders);
+  const std::vector<Point2> points = cell_points(cell);
+  const Kernel2Binding binding = cell_kernel(points, cell);
+  if (const auto* refusal = std::get_if<Refusal>(&binding))
+    return {Outcome::out_of_domain, describe(*refusal)};
+  const Kernel2& kernel = *std::get<0>(binding);
+
+  std::vector<double> tau, with_ghosts;
+  std::size_t sites = 0;
+  for (std::uint64_t k = 0; k < orders; ++k) {
+    const std::uint64_t seed = cell.order_seed + k;
+    const Triangulation t = triangulate(points, cell_order(points, cell, seed), kernel, algorithm);
+    Judgement judgement{t.outcome, t.reason};
+    if (t.outcome == Outcome::ok) judgement = judge(points, t);
+    if (judgement.outcome != Outcome::ok)
+      return {judgement.outcome, "order seed " + std::to_string(seed) + ": " + judgement.reason};
+    sites = points.size() - t.duplicates.size();
+    tau.push_back(static_cast<double>(t.counters.tau));
+    with_ghosts.push_back(static_cast<double>(t.counters.tau_with_ghosts));
+  }
+
+  const double bound = tau_bound(sites);
+  const Summary summary = summarise(tau);
+  const auto exceeding = std::count_if(tau.begin(), tau.end(), [&](double value) { return value > bound; });
+  return {.counters = {{"orders", static_cast<double>(orders)},
+                       {"sites", static_cast<double>(sites)},
+                       {"tau_mean", summary.mean},
+                       {"tau_sd", summary.sd},
+                       {"tau_min", *std::min_element(tau.begin(), tau.end())},
+                       {"tau_max", *std::max_element(tau.begin(), tau.end())},
+                       {"tau_with_ghosts_mean", summarise(with_ghosts).mean},
+                       {"tau_bound", bound},
+                       {"exceeding", static_cast<double>(exceeding)}}};
+}
+
+}  // namespace tribunal::bench

@@ -1,0 +1,42 @@
+#include "bench/input.hpp"
+
+#include "datasets/dataset.hpp"
+#include "datasets/files/files.hpp"
+#include "predicates/backends/list.hpp"
+
+#include <set>
+
+namespace tribunal::bench {
+
+std::vector<Point2> cell_points(const Cell& cell) {
+  const Dataset* dataset = find_dataset(cell.dataset);
+  if (dataset == nullptr) throw BadInput("no dataset is named \"" + cell.dataset + "\"");
+  std::vector<Point2> points = dataset->generate(cell.n, cell.seed);
+  return cell.bits > 0 ? quantise(points, cell.bits) : points;
+}
+
+std::vector<Point2> distinct_points(std::span<const Point2> points) {
+  std::set<Point2> seen;
+  std::vector<Point2> distinct;
+  for (const Point2& p : points)
+    if (seen.insert(p).second) distinct.push_back(p);
+  return distinct;
+}
+
+std::vector<Index> cell_order(std::span<const Point2> points, const Cell& cell, std::uint64_t seed) {
+  Order order{};
+  if (!parse_order(cell.order, order)) throw BadInput("no order is named \"" + cell.order + "\"");
+  return insertion_order(points, order, seed);
+}
+
+Kernel2Binding cell_kernel(std::span<const Point2> points, const Cell& cell) {
+  const BackendEntry* backend = find_backend(cell.backend);
+  if (backend == nullptr) throw BadInput("no backend is named \"" + cell.backend + "\"");
+  return backend->bind2(points);
+}
+
+std::string describe(const Refusal& refusal) {
+  return "point " + std::to_string(refusal.point) + ": " + refusal.reason;
+}
+
+}  // namespace tribunal::bench

@@ -1,0 +1,25 @@
+// From the exact checker's verdict to the outcome of a row.
+#pragma once
+
+#include "algorithms/triangulation.hpp"
+#include "algorithms/verify/verify.hpp"
+#include "predicates/point.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace tribunal::bench {
+
+struct Judgement {
+  Outcome outcome = Outcome::ok;
+  std::string reason;      ///< the first fault, where the outcome is not ok
+  std::uint64_t ties = 0;  ///< cocircular quadruples across interior edges
+};
+
+/// Checks a finished triangulation. A site left out explains a wrong count and a wrong hull, so
+/// `missing_site` is the outcome where nothing else is wrong with the topology; `non_delaunay` is said of
+/// valid triangulations only.
+Judgement judge(std::span<const Point2> points, const Triangulation& triangulation);
+
+}  // namespace tribunal::bench
