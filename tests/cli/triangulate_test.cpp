@@ -118,7 +118,8 @@ TEST(Verify, NamesTheFault) {
   EXPECT_EQ(ended.status, 1);
   EXPECT_EQ(ended.json()["valid"], false);
   std::set<std::string> kinds;
-  for (const auto& fault : ended.json()["faults"]) kinds.insert(fault["kind"].get<std::string>());
+  const auto document = ended.json();
+  for (const auto& fault : document["faults"]) kinds.insert(fault["kind"].get<std::string>());
   EXPECT_TRUE(kinds.count("missing_site")) << ended.out;
 }
 

@@ -98,7 +98,8 @@ TEST(List, PromisedNamesAreThere) {
 }
 
 TEST(List, ClaimsCarrySourceAndExpectation) {
-  for (const auto& claim : tribunal({"list", "claims", "--json"}).json().at("claims")) {
+  const auto document = tribunal({"list", "claims", "--json"}).json();
+  for (const auto& claim : document.at("claims")) {
     EXPECT_FALSE(claim.at("source").get<std::string>().empty());
     EXPECT_TRUE(claim.at("expected") == "reproduced" || claim.at("expected") == "refuted");
   }
@@ -112,7 +113,7 @@ TEST(Points, SameSeedSameBytesAndAnotherSeedOthers) {
 }
 
 TEST(Points, BitsQuantiseToALattice) {
-  const auto points =
+  const nlohmann::json points =
       tribunal({"points", "normal", "-n", "200", "--bits", "10", "--json"}).json().at("points");
   ASSERT_EQ(points.size(), 200U);
   for (const auto& p : points)
@@ -123,7 +124,7 @@ TEST(Points, BitsQuantiseToALattice) {
 }
 
 TEST(Sign, NegativeNumbersNeedNoEscaping) {
-  const auto signs =
+  const nlohmann::json signs =
       tribunal({"sign", "orient2d", "-1", "-1", "-.5", "-0x1p-1", "-1e0", "+3", "--json"}).json().at("signs");
   EXPECT_GE(signs.size(), 7U);
   for (const auto& s : signs) EXPECT_TRUE(s.at("sign") == "+" || s.at("sign") == "out_of_domain") << s;
@@ -132,7 +133,8 @@ TEST(Sign, NegativeNumbersNeedNoEscaping) {
 TEST(Sign, BackendsDifferWhereDoublesRound) {
   const std::vector<std::string> query{"sign", "orient2d",           "0.5",   "0.5", "12", "12",
                                        "24",   "24.000000000000004", "--json"};
-  for (const auto& s : tribunal(query).json().at("signs"))
+  const auto document = tribunal(query).json();
+  for (const auto& s : document.at("signs"))
     EXPECT_TRUE(s.at("sign") == "+" || s.at("backend").get<std::string>().starts_with("double") ||
                 s.at("sign") == "out_of_domain")
         << s;
@@ -142,7 +144,8 @@ TEST(Sign, ThePrintedProgramIsWrongOnACircle) {
   // Four points of the circle of radius 5 around the origin: exactly zero.
   const std::vector<std::string> query{"sign", "incircle", "5", "0",  "0",     "5",
                                        "-5",   "0",        "3", "-4", "--json"};
-  for (const auto& s : tribunal(query).json().at("signs"))
+  const auto document = tribunal(query).json();
+  for (const auto& s : document.at("signs"))
     EXPECT_EQ(s.at("sign") == "0", s.at("backend") != "knuth-as-printed") << s;
 }
 
