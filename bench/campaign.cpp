@@ -26,8 +26,14 @@ Row to_row(const Cell& cell, const Ending& ending) {
   Row row = blank_row(cell);
   row.outcome = to_string(ending.outcome);
   row.reason = ending.reason;
-  if (ending.outcome == Outcome::ok) row = json::parse(ending.result).get<Row>();
-  return row;
+  if (ending.outcome != Outcome::ok) return row;
+  try {
+    return json::parse(ending.result).get<Row>();
+  } catch (const json::exception& error) {  // e.g. a counter that is not a number, which JSON cannot say
+    row.outcome = to_string(Outcome::crash);
+    row.reason = std::string("the result is no row: ") + error.what();
+    return row;
+  }
 }
 
 bool is_failure(const Row& row) {

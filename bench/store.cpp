@@ -136,6 +136,7 @@ RunFolder::RunFolder(fs::path folder, Mode mode) : folder_(std::move(folder)) {
     sync_folder(folder_ / rows_folder);
     sync_folder(folder_);
   } catch (...) {
+    close(file_);
     close(lock_);
     throw;
   }

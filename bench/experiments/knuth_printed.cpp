@@ -1,13 +1,32 @@
-#include "bench/experiments/knuth_printed.hpp"
-
+// Experiment `knuth-printed`: the sign test of three products as the source prints it, on trial.
+//
+// The sign of x0 y0 + x1 y1 + x2 y2 by the program printed in Barth's section 3.7, by variants of it with
+// one kind of misprint each, and by the corrected one, against 64-bit integers.
+//
+// Two witnesses, for the product that overwrites instead of adding up and for the carry that does:
+// x = (-1,-1,1), y = (0,1,1) and x = (19317,1444,-18836), y = (24311,26904,14696). Counters
+// `witness.<i>.exact`, `.printed` and `.corrected` hold their signs as -1, 0, 1.
+//
+// Then n random cases, |x_i| < 2^28, 0 <= y_i < 2^28: `uniform`, or `near-cancelling` where x2 is the
+// rounded quotient -(x0 y0 + x1 y1) / y2 plus -1, 0 or 1 (cases out of range are drawn anew). Counters
+// `queries`, `zeros` and `wrong.printed`, `wrong.third_product`, `wrong.carry`, `wrong.late_exits`,
+// `wrong.corrected`, `wrong.redundant` (the backend `knuth`'s own).
+#include "bench/experiments/listed.hpp"
 #include "datasets/random.hpp"
 #include "predicates/arithmetic/redundant_as_printed.hpp"
 #include "predicates/arithmetic/redundant_integer.hpp"
 
+#include <array>
 #include <cstdlib>
 
 namespace tribunal::bench {
 namespace {
+
+constexpr Parameter generator_parameter{
+    .name = "generator", .summary = "how the cases are drawn", .standard = "uniform", .choices = [] {
+      return std::vector<std::string_view>{"uniform", "near-cancelling"};
+    }};
+constexpr std::array parameters{generator_parameter};
 
 struct Case {
   Triple x, y;
@@ -62,10 +81,8 @@ void try_witness(const std::string& name, const Case& c, std::map<std::string, d
   counters[name + ".corrected"] = number(sign_of_dot_product_as_printed(c.x, c.y, all_corrected));
 }
 
-}  // namespace
-
 Finding run_knuth_printed(const Cell& cell) {
-  const bool uniform = choice(cell, knuth_printed::generator) == "uniform";
+  const bool uniform = choice(cell, generator_parameter) == "uniform";
   Finding finding;
   try_witness("witness.1", {{-1, -1, 1}, {0, 1, 1}}, finding.counters);
   try_witness("witness.2", {{19317, 1444, -18836}, {24311, 26904, 14696}}, finding.counters);
@@ -85,5 +102,17 @@ Finding run_knuth_printed(const Cell& cell) {
   }
   return finding;
 }
+
+}  // namespace
+
+constinit const Experiment knuth_printed_experiment{
+    .name = "knuth-printed",
+    .cites = "Barth, section 3.7; Knuth 1993",
+    .summary =
+        "wrong signs of the printed multiple-precision sign test, by misprint, with a witness for each",
+    .reads = {.n = true, .seed = true},
+    .parameters = parameters,
+    .run = run_knuth_printed,
+};
 
 }  // namespace tribunal::bench

@@ -1,8 +1,4 @@
-#include "bench/experiments/knuth_printed.hpp"
-#include "bench/experiments/scopes.hpp"
-#include "bench/experiments/sign_differential.hpp"
-#include "bench/experiments/sign_map.hpp"
-#include "bench/experiments/tau_over_orders.hpp"
+#include "bench/experiments/listed.hpp"
 #include "datasets/files/files.hpp"
 
 #include <algorithm>
@@ -12,11 +8,6 @@
 
 namespace tribunal::bench {
 namespace {
-
-constexpr std::array all{
-    scopes_experiment,        tau_over_orders_experiment, sign_map_experiment, sign_differential_experiment,
-    knuth_printed_experiment,
-};
 
 std::optional<std::uint64_t> parse_whole_number(std::string_view text) {
   std::uint64_t number = 0;
@@ -34,9 +25,17 @@ std::string value_of(const Cell& cell, const Parameter& parameter) {
 
 }  // namespace
 
-std::span<const Experiment> experiments() { return all; }
+std::span<const Experiment> experiments() {
+  static const std::array all{
+#define EXPERIMENT(name) name##_experiment,
+#include "bench/experiments/list.def"
+#undef EXPERIMENT
+  };
+  return all;
+}
 
 const Experiment* find_experiment(std::string_view name) {
+  const auto all = experiments();
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Experiment& e) { return e.name == name; });
   return found == all.end() ? nullptr : &*found;

@@ -1,10 +1,24 @@
-#include "bench/experiments/sign_differential.hpp"
-
+// Experiment `sign-differential`: how often a backend's sign is wrong, over random queries of a stated kind.
+//
+// n random queries to one predicate, against exact integers. Coordinates are integers in [-2^(bits-1),
+// 2^(bits-1)), or with bits = 0 such integers of 53 bits times 2^-53. Generators:
+// - `uniform`: all coordinates uniform;
+// - `near-cancelling`: the determinant is zero or next to it. orient2d: a, b = a + m v and c = a + k v, or c
+//   off the line by the least that the lattice has, so that the determinant is 0 or +-m gcd(v). incircle:
+//   four of the eight images of (x, y) under the symmetries of the square about a random centre, the last
+//   moved by -1, 0 or 1 in x and y;
+// - `grid`: random nodes of an 8 x 8 grid spanned by random vectors (a, b) and (-b, a): many exact zeros, at
+//   full length.
+//
+// Counters: `queries`, `zeros` (exact), `wrong` = `false_zero` + `inverted` + `false_nonzero`, and
+// `stage.*`, the queries decided by each stage.
+#include "bench/experiments/listed.hpp"
 #include "bench/experiments/sign_errors.hpp"
 #include "bench/input.hpp"
 #include "datasets/random.hpp"
 #include "predicates/backends/list.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -12,6 +26,16 @@
 
 namespace tribunal::bench {
 namespace {
+
+constexpr Parameter predicate_parameter{
+    .name = "predicate", .summary = "the predicate asked", .standard = "orient2d", .choices = [] {
+      return std::vector<std::string_view>{"orient2d", "incircle"};
+    }};
+constexpr Parameter generator_parameter{
+    .name = "generator", .summary = "how the queries are drawn", .standard = "uniform", .choices = [] {
+      return std::vector<std::string_view>{"uniform", "near-cancelling", "grid"};
+    }};
+constexpr std::array parameters{predicate_parameter, generator_parameter};
 
 constexpr int least_bits = 7;  // room for the grid's 7 steps in two directions and for the moves by one
 
@@ -95,7 +119,7 @@ class Generator {
 };
 
 std::vector<Point2> draw_queries(const Cell& cell, bool incircle) {
-  const std::string kind = choice(cell, sign_differential::generator);
+  const std::string kind = choice(cell, generator_parameter);
   Generator generator(cell.seed, cell.bits == 0 ? 53 : cell.bits);
   const double unit = cell.bits == 0 ? 0x1p-53 : 1;
   std::vector<Point2> points;
@@ -113,12 +137,10 @@ Decision decide(const Kernel2& kernel, const Point2* p, bool incircle) {
   return incircle ? kernel.decide_incircle(p[0], p[1], p[2], p[3]) : kernel.decide_orient2d(p[0], p[1], p[2]);
 }
 
-}  // namespace
-
 Finding run_sign_differential(const Cell& cell) {
   if (cell.bits != 0 && cell.bits < least_bits)
     return {Outcome::refused_input, "bits is 0 or at least " + std::to_string(least_bits)};
-  const bool incircle = choice(cell, sign_differential::predicate) == "incircle";
+  const bool incircle = choice(cell, predicate_parameter) == "incircle";
   const std::vector<Point2> points = draw_queries(cell, incircle);
   const Kernel2Binding binding = cell_kernel(points, cell);
   if (const auto* refusal = std::get_if<Refusal>(&binding))
@@ -142,5 +164,16 @@ Finding run_sign_differential(const Cell& cell) {
   errors.add_to(finding.counters);
   return finding;
 }
+
+}  // namespace
+
+constinit const Experiment sign_differential_experiment{
+    .name = "sign-differential",
+    .cites = "this project",
+    .summary = "wrong signs of a backend over n random queries of a stated generator, against exact integers",
+    .reads = {.backend = true, .n = true, .bits = true, .seed = true},
+    .parameters = parameters,
+    .run = run_sign_differential,
+};
 
 }  // namespace tribunal::bench

@@ -1,13 +1,28 @@
-#include "bench/experiments/sign_map.hpp"
-
+// Experiment `sign-map`: what a backend answers over a fine grid across a line.
+//
+// orient2d(p + (x, y) 2^-53, q, r) for 0 <= x, y < 256, after the figures of Kettner, Mehlhorn, Pion,
+// Schirra, Yap, "Classroom examples of robustness problems in geometric computations" (2008); the exact
+// signs beside it.
+//
+// Counters: `pixels`, `false_zero`, `inverted`, `false_nonzero`. Texts: `signs` and `exact`, the rows y = 0,
+// 1, ... of 256 signs each as one run-length string, a sign (+, -, 0) followed by its run in brackets,
+// "+[12]0[3]-[241]...".
+#include "bench/experiments/listed.hpp"
 #include "bench/experiments/sign_errors.hpp"
 #include "bench/input.hpp"
 #include "predicates/backends/list.hpp"
 
+#include <array>
 #include <vector>
 
 namespace tribunal::bench {
 namespace {
+
+constexpr Parameter figure_parameter{
+    .name = "figure", .summary = "which of the three point triples", .standard = "2a", .choices = [] {
+      return std::vector<std::string_view>{"2a", "2b", "2c"};
+    }};
+constexpr std::array parameters{figure_parameter};
 
 constexpr int side = 256;
 constexpr double pixel = 0x1p-53;  // the spacing of doubles in [1/2, 1)
@@ -49,10 +64,8 @@ std::string run_lengths(std::span<const Sign> signs) {
   return text;
 }
 
-}  // namespace
-
 Finding run_sign_map(const Cell& cell) {
-  const std::string name = choice(cell, sign_map::figure);
+  const std::string name = choice(cell, figure_parameter);
   const Figure* figure = std::begin(figures);
   while (figure->name != name) ++figure;
   const std::vector<Point2> points = figure_points(*figure);
@@ -70,5 +83,17 @@ Finding run_sign_map(const Cell& cell) {
   finding.texts = {{"signs", run_lengths(got)}, {"exact", run_lengths(exact)}};
   return finding;
 }
+
+}  // namespace
+
+constinit const Experiment sign_map_experiment{
+    .name = "sign-map",
+    .cites = "Kettner et al. 2008",
+    .summary =
+        "orientation signs of a backend on a 256 x 256 grid of neighbouring doubles, against the exact ones",
+    .reads = {.backend = true},
+    .parameters = parameters,
+    .run = run_sign_map,
+};
 
 }  // namespace tribunal::bench

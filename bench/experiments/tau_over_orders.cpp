@@ -1,16 +1,25 @@
-#include "bench/experiments/tau_over_orders.hpp"
-
+// Experiment `tau-over-orders`: the distribution of tau over many insertion orders of one point set.
+//
+// Triangulates one point set in `orders` orders, with seeds order_seed, order_seed + 1, ..., so that any of
+// them can be run again as a cell of its own. Every mesh is verified; the first that is wrong ends the
+// experiment with its outcome.
+//
+// Counters: `orders`, `sites`, `tau_mean`, `tau_sd`, `tau_min`, `tau_max`, `tau_with_ghosts_mean`,
+// `tau_bound` (Barth, eq. 3.3.0) and `exceeding`, the number of orders with tau > tau_bound.
 #include "algorithms/list.hpp"
 #include "algorithms/triangulate.hpp"
+#include "bench/experiments/listed.hpp"
 #include "bench/experiments/tau_bound.hpp"
 #include "bench/input.hpp"
 #include "bench/judge.hpp"
 #include "bench/statistics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace tribunal::bench {
+namespace {
 
 std::vector<std::string_view> algorithm_names() {
   std::vector<std::string_view> names;
@@ -18,9 +27,20 @@ std::vector<std::string_view> algorithm_names() {
   return names;
 }
 
+constexpr Parameter algorithm_parameter{.name = "algorithm",
+                                        .summary = "the incremental algorithm that inserts",
+                                        .standard = "green-sibson",
+                                        .choices = algorithm_names};
+constexpr Parameter orders_parameter{.name = "orders",
+                                     .summary = "how many insertion orders",
+                                     .standard = "100",
+                                     .least = 2,
+                                     .most = 1'000'000};
+constexpr std::array parameters{algorithm_parameter, orders_parameter};
+
 Finding run_tau_over_orders(const Cell& cell) {
-  const PlanarAlgorithm& algorithm = *find_planar_algorithm(choice(cell, tau_over_orders::algorithm));
-  const std::uint64_t orders = whole_number(cell, tau_over_orders::orders);
+  const PlanarAlgorithm& algorithm = *find_planar_algorithm(choice(cell, algorithm_parameter));
+  const std::uint64_t orders = whole_number(cell, orders_parameter);
   const std::vector<Point2> points = cell_points(cell);
   const Kernel2Binding binding = cell_kernel(points, cell);
   if (const auto* refusal = std::get_if<Refusal>(&binding))
@@ -54,5 +74,16 @@ Finding run_tau_over_orders(const Cell& cell) {
                        {"tau_bound", bound},
                        {"exceeding", static_cast<double>(exceeding)}}};
 }
+
+}  // namespace
+
+constinit const Experiment tau_over_orders_experiment{
+    .name = "tau-over-orders",
+    .cites = "Guibas, Knuth, Sharir 1992",
+    .summary = "mean and spread of tau over many insertion orders of one point set",
+    .reads = {.backend = true, .dataset = true, .bits = true, .seed = true, .order = true},
+    .parameters = parameters,
+    .run = run_tau_over_orders,
+};
 
 }  // namespace tribunal::bench

@@ -112,6 +112,7 @@ TEST(Architecture, EntriesAreListed) {
       Folder{"predicates/backends", "BackendAbout about{", "predicates/backends/list.cpp", include},
       Folder{"algorithms/planar", "constinit const PlanarAlgorithm", "algorithms/planar/list.def", stem},
       Folder{"datasets/generators", "constinit const Dataset", "datasets/generators/list.def", stem},
+      Folder{"bench/experiments", "constinit const Experiment", "bench/experiments/list.def", stem},
       Folder{"reports/judges", "constinit const Judge", "reports/judges/list.def", stem},
   };
   for (const auto& [folder, mark, list, name] : folders) {

@@ -1,0 +1,20 @@
+# The claims there are, in the order in which they are tried and shown: one name per file <name>.toml beside this list.
+set(tribunal_claims
+    T2
+    T3
+    T4
+    T4-uniform
+    T4-runs
+    T4-hilbert
+    T4-x
+    T5
+    T5-order
+    T5-ghosts
+    T5-created
+    T6
+    T6-sorted
+    N-log-N
+    F-double
+    P-exact
+    P-knuth-printed
+    P-kettner)

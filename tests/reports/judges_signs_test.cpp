@@ -1,0 +1,87 @@
+// Judges of predicates.
+#include "tests/reports/rows.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tribunal::reports {
+namespace {
+
+bench::Row differential(const std::string& backend, double queries, double wrong) {
+  bench::Row row = run_row("sign-differential", 1000, 1, {{"queries", queries}, {"wrong", wrong}});
+  row.cell.backend = backend;
+  return row;
+}
+
+TEST(ExactSigns, only_the_named_backends_are_judged) {
+  const nlohmann::json rule = {{"exact", nlohmann::json::array({"gmp", "filtered"})}};
+  std::vector rows{differential("double", 1000, 300), differential("gmp", 1000, 0),
+                   differential("filtered", 1000, 0)};
+  EXPECT_EQ(try_rule("exact-signs", rule, rows).verdict, Verdict::reproduced);
+  rows.push_back(differential("filtered", 100000, 1));
+  EXPECT_EQ(try_rule("exact-signs", rule, rows).verdict, Verdict::refuted);
+  EXPECT_EQ(try_rule("exact-signs", rule, {differential("gmp", 1000, 0)}).verdict, Verdict::inconclusive);
+}
+
+bench::Row printed(double second_sign, double wrong_corrected) {
+  bench::Row row = run_row("knuth-printed", 1000, 1,
+                           {{"witness.1.exact", 0},
+                            {"witness.1.printed", -1},
+                            {"witness.1.corrected", 0},
+                            {"witness.2.exact", 1},
+                            {"witness.2.printed", second_sign},
+                            {"witness.2.corrected", 1},
+                            {"queries", 1000},
+                            {"wrong.printed", 188},
+                            {"wrong.corrected", wrong_corrected}});
+  row.cell.parameters = {{"generator", "uniform"}};
+  return row;
+}
+
+TEST(Witnesses, an_erring_witness_refutes) {
+  const Judgement judgement = try_rule("witnesses", {}, {printed(-1, 0)});
+  EXPECT_EQ(judgement.verdict, Verdict::refuted);
+  EXPECT_DOUBLE_EQ(*judgement.measured, 0.188);
+}
+
+TEST(Witnesses, code_that_never_errs_is_reproduced) {
+  bench::Row row = printed(1, 0);
+  row.counters["witness.1.printed"] = 0;
+  row.counters["wrong.printed"] = 0;
+  EXPECT_EQ(try_rule("witnesses", {}, {row}).verdict, Verdict::reproduced);
+  row.counters["wrong.printed"] = 1;  // no witness, but a random case
+  EXPECT_EQ(try_rule("witnesses", {}, {row}).verdict, Verdict::refuted);
+}
+
+TEST(Witnesses, a_transcription_whose_corrected_form_errs_is_not_believed) {
+  EXPECT_EQ(try_rule("witnesses", {}, {printed(-1, 1)}).verdict, Verdict::inconclusive);
+  bench::Row row = printed(-1, 0);
+  row.counters["witness.1.corrected"] = 1;
+  EXPECT_EQ(try_rule("witnesses", {}, {row}).verdict, Verdict::inconclusive);
+}
+
+bench::Row map_row(double false_zero) {
+  bench::Row row =
+      run_row("sign-map", 0, 1,
+              {{"pixels", 65536}, {"false_zero", false_zero}, {"inverted", 672}, {"false_nonzero", 0}});
+  row.cell.backend = "double";
+  row.cell.parameters = {{"figure", "2a"}};
+  return row;
+}
+
+TEST(SignMapCounts, equality_is_exact) {
+  nlohmann::json entry = {{"backend", "double"},
+                          {"figure", "2a"},
+                          {"false_zero", 11300},
+                          {"inverted", 672},
+                          {"false_nonzero", 0}};
+  nlohmann::json rule;
+  rule["expected"] = nlohmann::json::array();
+  rule["expected"].push_back(entry);
+  EXPECT_EQ(try_rule("sign-map-counts", rule, {map_row(11300)}).verdict, Verdict::reproduced);
+  EXPECT_EQ(try_rule("sign-map-counts", rule, {map_row(11301)}).verdict, Verdict::refuted);
+  rule["expected"][0]["figure"] = "2b";
+  EXPECT_EQ(try_rule("sign-map-counts", rule, {map_row(11300)}).verdict, Verdict::inconclusive);
+}
+
+}  // namespace
+}  // namespace tribunal::reports
