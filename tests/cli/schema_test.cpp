@@ -1,0 +1,73 @@
+// What --json prints obeys the schemas that ship with the program.
+#include "tests/cli/schema.hpp"
+
+#include "tests/cli/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace tribunal::cli {
+namespace {
+
+nlohmann::json schema(const std::string& name) {
+  return nlohmann::json::parse(
+      read(std::string(TRIBUNAL_SOURCE_DIR) + "/cli/schemas/" + name + ".schema.json"));
+}
+
+TEST(Schemas, EveryDocumentObeysItsSchema) {
+  const Folder folder;
+  const std::string points = folder / "p.xy", mesh = folder / "m.off";
+  ASSERT_EQ(tribunal({"points", "grid", "-n", "20", "-o", points}).status, 0);
+  ASSERT_EQ(tribunal({"triangulate", points, "-o", mesh}).status, 0);
+  const std::string plan = folder.write(
+      "plan.toml", "[[cells]]\nalgorithm='*'\nbackend=['gmp','knuth']\ndataset=['grid','uniform']\nn=9\n");
+  const std::vector<std::pair<std::string, std::vector<std::string>>> documents{
+      {"list", {"list", "algorithms"}},
+      {"list", {"list", "backends"}},
+      {"list", {"list", "datasets"}},
+      {"list", {"list", "claims"}},
+      {"list", {"list", "formats"}},
+      {"list", {"list", "peers"}},
+      {"points", {"points", "circle", "-n", "5"}},
+      {"points", {"points", "circle", "-n", "5", "-o", folder / "c.csv"}},
+      {"sign", {"sign", "orient2d", "0", "0", "0.5", "1", "1", "0"}},
+      {"triangulate", {"triangulate", points}},
+      {"triangulate", {"triangulate", points, "--algorithm", "watson", "--backend", "double"}},
+      {"verify", {"verify", points, mesh}},
+      {"run", {"run", plan, "-o", folder / "run", "--progress", "none"}},
+      {"claims", {"claims", "T3", "P-knuth-printed", "--progress", "none"}},
+      {"claims", {"report", folder / "run", "-o", folder / "report.html"}},
+      {"row", {"cell", R"({"task":"bowyer","backend":"gmp","dataset":"grid","n":9})"}},
+  };
+  for (auto [name, words] : documents) {
+    words.push_back("--json");
+    const Ended ended = tribunal(words);
+    ASSERT_EQ(ended.status, 0) << words[0] << ": " << ended.err;
+    EXPECT_EQ(schema_fault(schema(name), ended.json()), "") << words[0];
+  }
+  std::istringstream rows;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "run/rows"))
+    rows.str(rows.str() + read(entry.path().string()));
+  int count = 0;
+  for (std::string line; std::getline(rows, line); ++count)
+    EXPECT_EQ(schema_fault(schema("row"), nlohmann::json::parse(line)), "") << line;
+  EXPECT_EQ(count, 12);
+}
+
+TEST(Schemas, TheValidatorFindsFaults) {
+  const auto rule =
+      nlohmann::json::parse(R"({"type":"object","required":["a"],"properties":{"a":{"type":"integer",
+      "minimum":0},"b":{"type":"array","items":{"enum":["x"]}}},"additionalProperties":false})");
+  const auto fault = [&](const char* text) { return schema_fault(rule, nlohmann::json::parse(text)); };
+  EXPECT_EQ(fault(R"({"a":1,"b":["x"]})"), "");
+  EXPECT_NE(fault(R"({})"), "");
+  EXPECT_NE(fault(R"({"a":-1})"), "");
+  EXPECT_NE(fault(R"({"a":1.5})"), "");
+  EXPECT_NE(fault(R"({"a":1,"b":["y"]})"), "");
+  EXPECT_NE(fault(R"({"a":1,"c":1})"), "");
+  EXPECT_NE(fault(R"([])"), "");
+}
+
+}  // namespace
+}  // namespace tribunal::cli
