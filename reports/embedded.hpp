@@ -21,4 +21,7 @@ std::span<const EmbeddedFile> embedded_page();
 /// The charting libraries, in the order in which the page loads them; empty when npm had not fetched them.
 std::span<const EmbeddedFile> embedded_charting();
 
+/// Their licences, in the same order: who passes a page on passes the libraries on.
+std::span<const EmbeddedFile> embedded_licences();
+
 }  // namespace tribunal::reports

@@ -32,7 +32,8 @@ Index HistoryDag::first_node(Index site) const {
   for (Index i = 0; i < 3; ++i) {
     const HalfEdge h = 3 * root_ + i;
     const Index first_ghost = root_ + 1 + i;  // not twin(h): that one may be younger
-    if (side_of_ray(mesh_.from(h), site) == Sign::positive && side_of_ray(mesh_.to(h), site) == Sign::negative)
+    if (side_of_ray(mesh_.from(h), site) == Sign::positive &&
+        side_of_ray(mesh_.to(h), site) == Sign::negative)
       return first_ghost;
   }
   throw Abandon(Outcome::inconsistent_predicate, "a site lies in no cone of the first triangle");

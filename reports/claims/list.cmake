@@ -7,6 +7,7 @@ set(tribunal_claims
     T4-runs
     T4-hilbert
     T4-x
+    T4-brio
     T5
     T5-order
     T5-ghosts

@@ -6,7 +6,7 @@
 // possible is stated as the Wilson limit of the error rate on queries of this kind. Other backends are shown
 // and not judged.
 #include "reports/judges/evidence.hpp"
-#include "reports/judges/judges.hpp"
+#include "reports/judges/listed.hpp"
 #include "reports/text.hpp"
 
 #include <algorithm>

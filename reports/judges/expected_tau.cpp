@@ -8,7 +8,7 @@
 // reproduced: every |mean - expectation| < sigmas * standard error; refuted: one is not; the sum is formed
 // here again from the T_j, and where the experiment's own value disagrees with it there is no verdict.
 #include "reports/judges/evidence.hpp"
-#include "reports/judges/judges.hpp"
+#include "reports/judges/listed.hpp"
 #include "reports/text.hpp"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 // does, but no backend of `suspects` fails either, or an exact one ran out of time or memory; reproduced:
 // every suspect fails, no exact one does. Wilson intervals at 95 %.
 #include "reports/judges/evidence.hpp"
-#include "reports/judges/judges.hpp"
+#include "reports/judges/listed.hpp"
 #include "reports/text.hpp"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 // neither. A margin of 6 is odds of e^3 = 20 to 1 (Burnham and Anderson 2002). Fewer than 6 sizes carry no
 // verdict. Rows that measure time are shown beside the counts and never judged: caches bend them.
 #include "reports/judges/evidence.hpp"
-#include "reports/judges/judges.hpp"
+#include "reports/judges/listed.hpp"
 #include "reports/text.hpp"
 
 #include <algorithm>

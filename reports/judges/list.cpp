@@ -1,6 +1,6 @@
 #include "reports/judges/list.hpp"
 
-#include "reports/judges/judges.hpp"
+#include "reports/judges/listed.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,20 +8,10 @@
 namespace tribunal::reports {
 
 std::span<const Judge> judges() {
-  // Built on first use: the entries live in other files, whose order of initialisation is nobody's business.
   static const std::array all{
-      expected_tau_judge,
-      scope_identities_judge,
-      mean_below_bound_judge,
-      mean_at_value_judge,
-      single_runs_below_bound_judge,
-      run_identities_judge,
-      order_determines_tau_judge,
-      growth_model_judge,
-      failure_rates_judge,
-      exact_signs_judge,
-      witnesses_judge,
-      sign_map_counts_judge,
+#define JUDGE(name) name##_judge,
+#include "reports/judges/list.def"
+#undef JUDGE
   };
   return all;
 }

@@ -5,7 +5,7 @@
 // one; inconclusive: it straddles the edge of the band.
 #include "reports/judges/bounds.hpp"
 #include "reports/judges/evidence.hpp"
-#include "reports/judges/judges.hpp"
+#include "reports/judges/listed.hpp"
 #include "reports/text.hpp"
 
 #include <algorithm>

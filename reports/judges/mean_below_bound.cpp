@@ -6,7 +6,7 @@
 // no verdict. Single runs say nothing either way: the bound is on the expectation.
 #include "reports/judges/bounds.hpp"
 #include "reports/judges/evidence.hpp"
-#include "reports/judges/judges.hpp"
+#include "reports/judges/listed.hpp"
 #include "reports/text.hpp"
 
 #include <algorithm>

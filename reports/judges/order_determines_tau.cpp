@@ -6,7 +6,7 @@
 // tie (counter `ties`) are left out, with their number. reproduced: all agree; refuted: two runs differ; no
 // statistics.
 #include "reports/judges/evidence.hpp"
-#include "reports/judges/judges.hpp"
+#include "reports/judges/listed.hpp"
 #include "reports/text.hpp"
 
 #include <array>

@@ -11,7 +11,7 @@
 // reproduced: all hold in all runs; refuted: one fails once. Runs that end in dimension 0 or 1 have no
 // triangles and are left out, with their number.
 #include "reports/judges/evidence.hpp"
-#include "reports/judges/judges.hpp"
+#include "reports/judges/listed.hpp"
 #include "reports/text.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 // row: T_j + T_{N-3-j} = 2(j+1)(N-2-j); T_j <= (j+1)(2N - 5j/2 - 5) where j+1 <= N/3; all T_j together are
 // C(N,3). reproduced: no violation; refuted: one is enough. No statistics: these are counts.
 #include "reports/judges/evidence.hpp"
-#include "reports/judges/judges.hpp"
+#include "reports/judges/listed.hpp"
 #include "reports/text.hpp"
 
 namespace tribunal::reports {

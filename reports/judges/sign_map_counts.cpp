@@ -6,7 +6,7 @@
 // where all numbers are the stated ones, refuted where one differs. Backends without an entry are shown and
 // not judged.
 #include "reports/judges/evidence.hpp"
-#include "reports/judges/judges.hpp"
+#include "reports/judges/listed.hpp"
 #include "reports/text.hpp"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 // must be the same.
 #include "reports/judges/bounds.hpp"
 #include "reports/judges/evidence.hpp"
-#include "reports/judges/judges.hpp"
+#include "reports/judges/listed.hpp"
 #include "reports/text.hpp"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 // were it wrong too, the fault might be the transcriber's, and there is no verdict. Rates depend on how the
 // cases are drawn, so each is named with its generator and seed.
 #include "reports/judges/evidence.hpp"
-#include "reports/judges/judges.hpp"
+#include "reports/judges/listed.hpp"
 #include "reports/text.hpp"
 
 namespace tribunal::reports {

@@ -1,3 +1,4 @@
+#include "reports/embedded.hpp"
 #include "reports/html.hpp"
 #include "reports/page/sections.hpp"
 
@@ -7,6 +8,14 @@ namespace {
 std::string value_html(const nlohmann::json& value) {
   if (value.is_string()) return escape(value.get<std::string>());
   return escape(value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
+}
+
+std::string licences() {
+  std::string html;
+  for (const EmbeddedFile& licence : embedded_licences())
+    html += "<details><summary>Licence of a charting library in this page</summary><pre>" +
+            escape(licence.text) + "</pre></details>\n";
+  return html;
 }
 
 }  // namespace
@@ -28,7 +37,7 @@ std::string provenance_section(const ReportInput& input) {
         html += "<tr><th scope=\"row\">" + escape(key + " / " + inner) + "</th><td>" + value_html(detail) +
                 "</td></tr>\n";
     }
-  return html + "</tbody></table></div></section>\n";
+  return html + "</tbody></table></div>" + licences() + "</section>\n";
 }
 
 }  // namespace tribunal::reports

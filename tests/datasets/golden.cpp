@@ -64,8 +64,8 @@ TEST(Golden, WholeRealData) {
 }
 
 TEST(Golden, EveryOrderOf1000UniformPoints) {
-  const std::array<std::uint64_t, 5> expected{0x0D85A5C65B9ACB15, 0x3A840AAB2742DA95, 0x8B6407D73905C635,
-                                              0x4E08BFBE0D834C55, 0x2EA5E53604C32629};
+  const std::array<std::uint64_t, 5> expected{0x9F780A6FB09190CD, 0x3A840AAB2742DA95, 0x8B6407D73905C635,
+                                              0x4E08BFBE0D834C55, 0x0AF34EBBD0D366A5};
   const auto points = find_dataset("uniform")->generate(1000, 1);
   ASSERT_EQ(order_names().size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
