@@ -8,8 +8,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <ostream>
+#include <tuple>
+#include <vector>
 
 namespace tribunal::cli {
 namespace {
@@ -19,6 +22,18 @@ nlohmann::json manifest_of(const std::string& directory) {
   const nlohmann::json manifest = nlohmann::json::parse(read_text(path), nullptr, false);
   if (manifest.is_discarded()) throw BadInput(path.string() + ": not a JSON document");
   return manifest;
+}
+
+/// Rows come in the order in which cells ended, which no page should depend on.
+void sort_by_cell(std::vector<bench::Row>& rows) {
+  const auto place = [](const bench::Row& row) {
+    const bench::Cell& c = row.cell;
+    return std::tie(c.backend, c.task, c.dataset, c.order, c.n, c.bits, c.seed, c.order_seed, row.key);
+  };
+  std::sort(rows.begin(), rows.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  rows.erase(
+      std::unique(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.key == b.key; }),
+      rows.end());
 }
 
 /// By the full tier where all its rows are there, else by the quick one.
@@ -37,6 +52,7 @@ int report(const ReportOptions& options, Console& console) {
     rows.insert(rows.end(), some.begin(), some.end());
     manifests[directory] = manifest_of(directory);
   }
+  sort_by_cell(rows);
   const RowsByKey index = by_key(rows);
   std::vector<reports::Tried> trials;
   for (const reports::Claim& claim : reports::registered_claims())
