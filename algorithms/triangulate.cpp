@@ -55,10 +55,9 @@ Triangulation triangulate(std::span<const Point2> points, std::span<const Index>
                           const PlanarAlgorithm& algorithm) {
   assert(order.size() == points.size());
   Triangulation front;
-  if (points.empty() || points.size() >= 0xFFFFFFFF / 9) {
+  if (points.empty() || points.size() >= 0xFFFFFFFF / 3) {
     front.outcome = Outcome::refused_input;
-    front.reason =
-        points.empty() ? "there are no points" : "more points than 32-bit triangle indices can serve";
+    front.reason = points.empty() ? "there are no points" : "more points than 32-bit indices can serve";
     return front;
   }
   std::vector<Index> sites = merge_duplicates(points, order, front);

@@ -1,5 +1,6 @@
 #include "bench/row.hpp"
 
+#include "algorithms/outcome.hpp"
 #include "bench/hash.hpp"
 
 #include <string_view>
@@ -56,6 +57,11 @@ void from_json(const nlohmann::json& json, Cell& cell) {
   cell.measure = parse_measure(json.value("measure", std::string(measure_name(standard.measure))));
   cell.repeats = json.value("repeats", standard.repeats);
   cell.parameters = json.value("parameters", standard.parameters);
+  // The library converts silently (-1 to a large number, 1.5 to 1) and passes over names it is not asked for.
+  const nlohmann::json understood = cell;
+  for (const auto& [name, value] : json.items())
+    if (!understood.contains(name) || understood.at(name).dump() != value.dump())
+      fail("a cell has no " + name + " = " + value.dump());
 }
 
 void to_json(nlohmann::json& json, const Row& row) {
@@ -73,6 +79,7 @@ void from_json(const nlohmann::json& json, Row& row) {
   json.at("key").get_to(row.key);
   json.at("cell").get_to(row.cell);
   json.at("outcome").get_to(row.outcome);
+  if (!parse_outcome(row.outcome)) fail("there is no outcome '" + row.outcome + "'");
   json.at("reason").get_to(row.reason);
   json.at("counters").get_to(row.counters);
   row.texts = json.value("texts", decltype(row.texts){});

@@ -115,9 +115,16 @@ void cut_torn_line(int file) {
 }  // namespace
 
 std::vector<Row> read_rows(const fs::path& folder) {
-  if (!fs::is_directory(folder)) refuse(folder, "no such folder");
+  const std::string only = folder.string();
+  return read_rows(std::span(&only, 1));
+}
+
+std::vector<Row> read_rows(std::span<const std::string> folders) {
   Collection collection;
-  for (const fs::path& path : row_files(folder)) read_file(path, collection);
+  for (const std::string& folder : folders) {
+    if (!fs::is_directory(folder)) refuse(folder, "no such folder");
+    for (const fs::path& path : row_files(folder)) read_file(path, collection);
+  }
   return collection.take();
 }
 

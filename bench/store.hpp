@@ -17,6 +17,9 @@ namespace tribunal::bench {
 /// BadInput.
 std::vector<Row> read_rows(const std::filesystem::path& folder);
 
+/// The same over several folders as if they were one.
+std::vector<Row> read_rows(std::span<const std::string> folders);
+
 /// A run folder held for writing: no other process can open it while this lives.
 class RunFolder {
  public:

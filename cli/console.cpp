@@ -7,7 +7,10 @@
 
 namespace tribunal::cli {
 
-void print_json(Console& console, const nlohmann::json& document) { console.out << document.dump(2) << '\n'; }
+void print_json(Console& console, const nlohmann::json& document) {
+  // Paths need not be UTF-8, JSON must be: what is not gets the replacement character.
+  console.out << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+}
 
 void print_table(Console& console, const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths;

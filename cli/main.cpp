@@ -7,25 +7,30 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <exception>
+#include <fcntl.h>
 #include <functional>
 #include <iostream>
 #include <map>
 #include <string>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 namespace {
 using namespace tribunal;
 using namespace tribunal::cli;
 
-/// True for what a user means as a number, good or bad: "-1", "-.5", "+3", "-0x1p3", "-inf", "nan", "1e".
-bool looks_like_number(const std::string& word) {
-  std::size_t i = !word.empty() && (word[0] == '-' || word[0] == '+') ? 1 : 0;
-  if (i >= word.size()) return false;
-  if (std::isdigit(static_cast<unsigned char>(word[i])) || word[i] == '.') return true;
-  return word.compare(i, 3, "inf") == 0 || word.compare(i, 3, "nan") == 0;
+/// True for what a user means as a number, good or bad: "-1", "-.5", "+3", "-0x1p3", "-Inf", "NaN", "1e".
+bool looks_like_number(std::string word) {
+  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+  word.erase(0, std::min(word.find_first_not_of("+-"), word.size()));
+  if (word.empty()) return false;
+  return std::isdigit(static_cast<unsigned char>(word[0])) || word[0] == '.' || word == "inf" ||
+         word == "infinity" || word == "nan";
 }
 
 /// The numbers of `tribunal sign`, taken out of the arguments before options are looked for: "-1" is a
@@ -36,6 +41,16 @@ std::vector<std::string> take_numbers(std::vector<std::string>& words) {
   for (const std::string& word : words) (looks_like_number(word) ? numbers : rest).push_back(word);
   words = rest;
   return numbers;
+}
+
+/// Whole numbers are what they look like: the library would read 010 as 8 and -1 as 2^64 - 1.
+std::string check_whole_number(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool leading_zero = text.size() > 1 && text[0] == '0';
+  if (error != std::errc{} || end != text.data() + text.size() || leading_zero)
+    return "'" + text + "' is no whole number from 0 to 2^64 - 1";
+  return {};
 }
 
 /// The command line: every verb with its options, and what to run once one was given.
@@ -59,26 +74,35 @@ class CommandLine {
   }
 
   void parse(std::vector<std::string> words) {
+    if (!words.empty() && !words[0].starts_with('-') && !has_verb(words[0]))
+      throw BadUsage("there is no verb '" + words[0] + "'; see tribunal --help");
     std::reverse(words.begin(), words.end());  // as CLI11 wants them
     app.parse(words);
   }
-  int run() { return action(console); }
+  int run() {
+    const std::map<std::string, Progress> ways{{"auto", Progress::automatic},
+                                               {"plain", Progress::plain},
+                                               {"json", Progress::json},
+                                               {"none", Progress::none}};
+    console.progress = ways.at(progress);
+    sign_options.numbers.insert(sign_options.numbers.end(), stray_numbers.begin(), stray_numbers.end());
+    return action(console);
+  }
   int exit(const CLI::ParseError& error) { return app.exit(error, std::cout, std::cerr); }
 
  private:
+  bool has_verb(const std::string& name) {
+    return !app.get_subcommands([&](const CLI::App* verb) { return verb->check_name(name); }).empty();
+  }
+
   template <class Options>
   CLI::App* add_verb(const char* name, const char* summary, const char* example, Options& options,
                      int (*verb)(const Options&, Console&)) {
     CLI::App* command = app.add_subcommand(name, summary);
     command->footer(std::string("Example: ") + example);
     command->add_flag("--json", console.json, "one JSON document on standard output, nothing else");
-    static const std::map<std::string, Progress> ways{{"auto", Progress::automatic},
-                                                      {"plain", Progress::plain},
-                                                      {"json", Progress::json},
-                                                      {"none", Progress::none}};
-    command
-        ->add_option("--progress", console.progress, "progress on standard error: auto, plain, json or none")
-        ->transform(CLI::CheckedTransformer(ways));
+    command->add_option("--progress", progress, "progress on standard error: auto, plain, json or none")
+        ->check(CLI::IsMember({"auto", "plain", "json", "none"}));
     command->callback(
         [this, &options, verb] { action = [&options, verb](Console& c) { return verb(options, c); }; });
     return command;
@@ -86,7 +110,8 @@ class CommandLine {
 
   static void add_size(CLI::App* verb, std::uint64_t& n) {
     verb->add_option("-n", n, "number of points of a dataset; default: all it has, or 1000")
-        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 32));
+        ->check(check_whole_number)
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000}));
   }
 
   void add_list() {
@@ -100,8 +125,11 @@ class CommandLine {
                           points_options, points);
     verb->add_option("dataset", points_options.dataset, "see tribunal list datasets")->required();
     add_size(verb, points_options.n);
-    verb->add_option("--seed", points_options.seed, "seed of the random numbers")->capture_default_str();
-    verb->add_option("--bits", points_options.bits, "quantise to integers in [0, 2^bits)");
+    verb->add_option("--seed", points_options.seed, "seed of the random numbers")
+        ->check(check_whole_number)
+        ->capture_default_str();
+    verb->add_option("--bits", points_options.bits, "quantise to integers in [0, 2^bits)")
+        ->check(check_whole_number);
     verb->add_option("-o,--output", points_options.output, ".xy .csv .node .off, or - for standard output")
         ->capture_default_str();
   }
@@ -111,9 +139,10 @@ class CommandLine {
                           sign_options, sign);
     verb->add_option("predicate", sign_options.predicate, "orient2d, incircle, orient3d or insphere")
         ->required();
-    verb->add_option("coordinates", sign_options.numbers,
+    verb->add_option("coordinates", stray_numbers,
                      "decimal, hex-float or integer; negative ones as they are");
-    verb->add_option("--backend", sign_options.backends, "only this backend; may be repeated")->expected(1);
+    verb->add_option("--backend", sign_options.backends, "only this backend; may be repeated")
+        ->allow_extra_args(false);
   }
   void add_triangulate() {
     auto& o = triangulate_options;
@@ -124,7 +153,9 @@ class CommandLine {
     verb->add_option("--backend", o.backend, "see tribunal list backends")->capture_default_str();
     verb->add_option("--order", o.order, "insertion order: random, input, hilbert, x or brio")
         ->capture_default_str();
-    verb->add_option("--seed", o.seed, "seed of the random order")->capture_default_str();
+    verb->add_option("--seed", o.seed, "seed of the random order")
+        ->check(check_whole_number)
+        ->capture_default_str();
     add_size(verb, o.n);
     verb->add_option("-o,--output", o.mesh, "mesh file: .off or .ele");
     verb->add_option("--stats", o.stats, "statistics as JSON");
@@ -143,7 +174,10 @@ class CommandLine {
                           "tribunal run bench/plans/quick.toml -o results --jobs 2", o, tribunal::cli::run);
     verb->add_option("plan", o.plan, "campaign file (TOML)")->required();
     verb->add_option("-o,--output", o.directory, "run folder")->required();
-    verb->add_option("--jobs", o.jobs, "cells at a time")->capture_default_str()->check(CLI::Range(1, 1024));
+    verb->add_option("--jobs", o.jobs, "cells at a time")
+        ->check(check_whole_number)
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1024));
     verb->add_flag("--resume", o.resume, "go on with an interrupted run");
   }
   void add_claims() {
@@ -156,7 +190,10 @@ class CommandLine {
         ->capture_default_str()
         ->check(CLI::IsMember({"quick", "full"}));
     verb->add_option("-o,--output", o.directory, "run folder to keep the rows in");
-    verb->add_option("--jobs", o.jobs, "cells at a time")->capture_default_str()->check(CLI::Range(1, 1024));
+    verb->add_option("--jobs", o.jobs, "cells at a time")
+        ->check(check_whole_number)
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1024));
     verb->add_flag("--resume", o.resume, "go on with an interrupted run");
   }
   void add_report() {
@@ -176,10 +213,13 @@ class CommandLine {
 
   CLI::App app{"Tribunal puts geometric predicates and triangulation algorithms on trial."};
   Console console{std::cout, std::cerr};
+  std::string progress = "auto";
   std::function<int(Console&)> action;
   ListOptions list_options;
   PointsOptions points_options;
   SignOptions sign_options;
+  std::vector<std::string>
+      stray_numbers;  // what take_numbers did not take for numbers, for `sign` to refuse by name
   TriangulateOptions triangulate_options;
   VerifyOptions verify_options;
   RunOptions run_options;
@@ -188,19 +228,30 @@ class CommandLine {
   CellOptions cell_options;
 };
 
-int fail(const char* what, int status) {
+/// One line, whatever the message quotes: control characters are shown as '?'.
+int fail(std::string what, int status) {
   std::cout.flush();
+  for (char& c : what)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
   std::cerr << "tribunal: " << what << '\n';
   return status;
+}
+
+/// A file opened where a standard stream is closed would get its number, and what is printed would go into
+/// it.
+void open_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0) open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  open_standard_streams();
   try {
     const std::string fault = describe_fault(witness_floating_point());
     if (!fault.empty())
-      return fail(("this floating-point environment cannot be trusted: " + fault).c_str(), internal_error);
+      return fail("this floating-point environment cannot be trusted: " + fault, internal_error);
     std::vector<std::string> words(argv + 1, argv + argc);
     std::vector<std::string> numbers = take_numbers(words);
     CommandLine line(std::move(numbers));

@@ -20,7 +20,7 @@ namespace {
 nlohmann::json manifest_of(const std::string& directory) {
   const std::filesystem::path path = std::filesystem::path(directory) / "manifest.json";
   const nlohmann::json manifest = nlohmann::json::parse(read_text(path), nullptr, false);
-  if (manifest.is_discarded()) throw BadInput(path.string() + ": not a JSON document");
+  if (!manifest.is_object()) throw BadInput(path.string() + ": not the manifest of a run");
   return manifest;
 }
 
@@ -31,9 +31,6 @@ void sort_by_cell(std::vector<bench::Row>& rows) {
     return std::tie(c.backend, c.task, c.dataset, c.order, c.n, c.bits, c.seed, c.order_seed, row.key);
   };
   std::sort(rows.begin(), rows.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
-  rows.erase(
-      std::unique(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.key == b.key; }),
-      rows.end());
 }
 
 /// By the full tier where all its rows are there, else by the quick one.
@@ -45,13 +42,10 @@ reports::Tried try_by_best_tier(const reports::Claim& claim, const RowsByKey& ro
 }  // namespace
 
 int report(const ReportOptions& options, Console& console) {
-  std::vector<bench::Row> rows;
+  if (console.json && options.output == "-") throw BadUsage("--json and the page both want standard output");
+  std::vector<bench::Row> rows = bench::read_rows(options.directories);
   nlohmann::json manifests = nlohmann::json::object();
-  for (const std::string& directory : options.directories) {
-    const auto some = bench::read_rows(directory);
-    rows.insert(rows.end(), some.begin(), some.end());
-    manifests[directory] = manifest_of(directory);
-  }
+  for (const std::string& directory : options.directories) manifests[directory] = manifest_of(directory);
   sort_by_cell(rows);
   const RowsByKey index = by_key(rows);
   std::vector<reports::Tried> trials;

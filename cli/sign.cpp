@@ -76,12 +76,12 @@ const Query& query_named(const std::string& name) {
 
 int sign(const SignOptions& options, Console& console) {
   const Query& query = query_named(options.predicate);
+  std::vector<double> numbers;
+  for (const std::string& text : options.numbers) numbers.push_back(parse_number(text));
   if (options.numbers.size() != query.dimension * query.points)
     throw BadUsage(options.predicate + " takes " + std::to_string(query.points) + " points, " +
                    std::to_string(query.dimension * query.points) + " numbers; " +
                    std::to_string(options.numbers.size()) + " given");
-  std::vector<double> numbers;
-  for (const std::string& text : options.numbers) numbers.push_back(parse_number(text));
 
   std::vector<const BackendEntry*> asked;
   for (const std::string& name : options.backends) asked.push_back(&backend_named(name));

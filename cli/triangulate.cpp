@@ -2,6 +2,7 @@
 #include "algorithms/triangulate.hpp"
 
 #include "algorithms/mesh/canonical.hpp"
+#include "bench/judge.hpp"
 #include "bench/measure.hpp"
 #include "cli/lookup.hpp"
 #include "cli/verbs.hpp"
@@ -13,20 +14,37 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <ostream>
 
 namespace tribunal::cli {
 namespace {
 using nlohmann::json;
+namespace fs = std::filesystem;
+
+bool names_dataset(const TriangulateOptions& options) {
+  return options.points != "-" && !fs::exists(options.points) && find_dataset(options.points) != nullptr;
+}
 
 /// A file, standard input ("-"), or, where no such file is, a dataset of that name.
 PointFile points_of(const TriangulateOptions& options) {
-  if (options.points != "-" && !std::filesystem::exists(options.points))
-    if (const Dataset* dataset = find_dataset(options.points)) {
-      PointFile file;
-      file.points = generate(*dataset, options.n, options.seed);
-      return file;
-    }
-  return read_points(options.points);
+  if (!names_dataset(options)) return read_points(options.points);
+  PointFile file;
+  file.points = generate(dataset_named(options.points), options.n, options.seed);
+  return file;
+}
+
+/// What is wrong with the outputs is said before anything is computed.
+void check_outputs(const TriangulateOptions& options, const Console& console) {
+  if (options.n != 0 && !names_dataset(options))
+    throw BadUsage("-n goes with a dataset's name, not with a file");
+  if (console.json && (options.mesh == "-" || options.stats == "-"))
+    throw BadUsage("--json and another output both want standard output");
+  if (!options.picture.empty()) require_picture_ending(options.picture);
+  if (options.mesh.empty() || options.mesh == "-") return;
+  std::error_code none;
+  for (const fs::path& file : mesh_files(options.mesh))
+    if (fs::equivalent(file, options.points, none))
+      throw BadUsage(file.string() + " would overwrite its own input");
 }
 
 /// "coast.xy:17: knuth: ...": where the refused point stands and why it is refused.
@@ -50,13 +68,36 @@ json predicates_json(const PredicateCounts& counts) {
   return predicates;
 }
 
-struct Cost {
+struct Run {
+  Triangulation result;
+  PredicateCounts counts;
   double seconds = 0;
   std::uint64_t peak_bytes = 0;
 };
 
-json stats_json(const TriangulateOptions& options, std::size_t n, const Triangulation& t, const Cost& cost,
-                const PredicateCounts& counts) {
+/// Triangulates, and has the result of a backend that promises nothing checked. Predicates are counted in a
+/// run of its own where somebody wants them, so that counting costs no measured time.
+Run run_algorithm(const PointFile& file, const Kernel2& kernel, const PlanarAlgorithm& algorithm,
+                  const BackendEntry& backend, Order order_kind, const TriangulateOptions& options,
+                  bool counted) {
+  Run run;
+  const auto order = insertion_order(file.points, order_kind, options.seed);
+  const bench::PeakMemory memory;
+  const double start = bench::thread_seconds();
+  run.result = tribunal::triangulate(file.points, order, kernel, algorithm);
+  run.seconds = bench::thread_seconds() - start;
+  run.peak_bytes = memory.growth();
+  if (counted) tribunal::triangulate(file.points, order, CountedKernel2(kernel, run.counts), algorithm);
+  if (!backend.about->exact && run.result.outcome == Outcome::ok) {
+    const bench::Judgement judgement = bench::judge(file.points, run.result);
+    run.result.outcome = judgement.outcome;
+    run.result.reason = judgement.reason;
+  }
+  return run;
+}
+
+json stats_json(const TriangulateOptions& options, std::size_t n, const Run& run) {
+  const Triangulation& t = run.result;
   const Counters& c = t.counters;
   json history = nullptr;
   if (t.history)
@@ -85,13 +126,13 @@ json stats_json(const TriangulateOptions& options, std::size_t n, const Triangul
           {"conflict_tests", c.conflict_tests},
           {"location_steps", c.location_steps},
           {"history", history},
-          {"predicates", predicates_json(counts)},
+          {"predicates", predicates_json(run.counts)},
           {"digest", to_hex(digest(t.triangles))},
-          {"seconds", cost.seconds},
-          {"peak_bytes", cost.peak_bytes}};
+          {"seconds", run.seconds},
+          {"peak_bytes", run.peak_bytes}};
 }
 
-void print_summary(Console& console, const json& stats) {
+void print_summary(Console console, const json& stats) {
   std::vector<std::vector<std::string>> rows;
   for (const char* key : {"algorithm", "backend", "n", "duplicates", "outcome", "dimension", "triangles",
                           "hull", "tau", "flips", "digest", "seconds"}) {
@@ -101,47 +142,53 @@ void print_summary(Console& console, const json& stats) {
   print_table(console, rows);
 }
 
+void report_duplicates(const PointFile& file, const Triangulation& t, const TriangulateOptions& options,
+                       Console& console) {
+  constexpr std::size_t most_named = 10;
+  if (t.duplicates.size() > most_named || file.lines.empty()) {
+    if (!t.duplicates.empty()) console.log << t.duplicates.size() << " duplicate points merged\n";
+    return;
+  }
+  for (const auto& [repeated, first] : t.duplicates)
+    console.log << options.points << ':' << file.lines[repeated] << ": the same point as line "
+                << file.lines[first] << ", merged\n";
+}
+
 }  // namespace
 
 int triangulate(const TriangulateOptions& options, Console& console) {
   const PlanarAlgorithm& algorithm = algorithm_named(options.algorithm);
   const BackendEntry& backend = backend_named(options.backend);
-  const Order order_kind = order_named(options.order);
+  const Order order = order_named(options.order);
+  check_outputs(options, console);
   const PointFile file = points_of(options);
+
+  Run run;
   const Kernel2Binding bound = backend.bind2(file.points);
-  if (const auto* refusal = std::get_if<Refusal>(&bound)) throw BadInput(describe(*refusal, file, options));
-  const Kernel2& kernel = *std::get<0>(bound);
-  const auto order = insertion_order(file.points, order_kind, options.seed);
+  if (const auto* refusal = std::get_if<Refusal>(&bound)) {
+    run.result.outcome = Outcome::out_of_domain;
+    run.result.reason = describe(*refusal, file, options);
+  } else {
+    const bool counted = console.json || !options.stats.empty();
+    run = run_algorithm(file, *std::get<0>(bound), algorithm, backend, order, options, counted);
+  }
+  const Triangulation& result = run.result;
+  const json stats = stats_json(options, file.points.size(), run);
 
-  const bench::PeakMemory memory;
-  const double start = bench::thread_seconds();
-  const Triangulation result = tribunal::triangulate(file.points, order, kernel, algorithm);
-  const Cost cost{bench::thread_seconds() - start, memory.growth()};
-
-  PredicateCounts counts;  // in a run of its own, so that counting costs no measured time
-  if (console.json || !options.stats.empty())
-    tribunal::triangulate(file.points, order, CountedKernel2(kernel, counts), algorithm);
-  const json stats = stats_json(options, file.points.size(), result, cost, counts);
-
-  for (const auto& [repeated, first] : result.duplicates)
-    if (!file.lines.empty() && result.duplicates.size() <= 10)
-      console.log << options.points << ':' << file.lines[repeated] << ": the same point as line "
-                  << file.lines[first] << ", merged\n";
-  if (result.duplicates.size() > 10) console.log << result.duplicates.size() << " duplicate points merged\n";
+  report_duplicates(file, result, options, console);
+  if (!options.stats.empty()) write_text(options.stats, stats.dump(2) + "\n");
+  if (console.json) print_json(console, stats);
+  if (result.outcome == Outcome::out_of_domain || result.outcome == Outcome::refused_input)
+    throw BadInput(result.reason);
   if (result.outcome != Outcome::ok)
     console.log << to_string(result.outcome) << ": " << result.reason << '\n';
-
   if (result.outcome == Outcome::ok && !options.mesh.empty())
     write_mesh(options.mesh, file.points, result.triangles);
   if (result.outcome == Outcome::ok && !options.picture.empty())
     write_picture(options.picture, file.points, result.triangles);
-  if (!options.stats.empty()) write_text(options.stats, stats.dump(2) + "\n");
-  if (console.json)
-    print_json(console, stats);
-  else
-    print_summary(console, stats);
-  if (result.outcome == Outcome::ok) return good;
-  return result.outcome == Outcome::refused_input ? bad_input : judged_bad;
+  const bool piped = options.mesh == "-" || options.stats == "-";
+  if (!console.json) print_summary({.out = piped ? console.log : console.out, .log = console.log}, stats);
+  return result.outcome == Outcome::ok ? good : judged_bad;
 }
 
 }  // namespace tribunal::cli

@@ -1,6 +1,7 @@
 // A planar triangulation as corners and twins: topology only, no coordinates and no decisions.
 #pragma once
 
+#include "algorithms/abandon.hpp"
 #include "algorithms/triangulation.hpp"
 
 #include <cassert>
@@ -45,8 +46,10 @@ class PlanarMesh {
     return none;
   }
 
-  /// Appends a triangle with no twins yet.
+  /// Appends a triangle with no twins yet. Abandons where 32-bit half-edges end, at 1.4e9 triangles.
   Index add(Index a, Index b, Index c) {
+    if (corners_.size() >= none - 3)
+      throw Abandon(Outcome::refused_input, "more triangles than 32-bit half-edges can name");
     corners_.insert(corners_.end(), {a, b, c});
     twins_.insert(twins_.end(), {none, none, none});
     return triangles() - 1;

@@ -13,7 +13,8 @@ namespace tribunal {
 //   - likewise the error of D is at most 5u (|bx cy| + |by cx|).
 // If numerator N has error n and D has error d < |D|, then |N/D - N'/D'| <= (n + |N/D| d) / (|D| - d). All
 // the bounds below are enlarged by 1 + 2^-40, far more than the roundings made in computing them. Underflow
-// would void the relative errors, so anything below 2^-900 or above 2^900 in size gets no bound.
+// would void the relative errors, so differences below 2^-300 or above 2^300 in size get no bound:
+// a numerator is of degree three in them.
 double right_extent(const Point2& a, const Point2& b, const Point2& c) {
   constexpr double none = std::numeric_limits<double>::infinity();
   constexpr double u = 0x1p-53, enlarge = 1 + 0x1p-40;

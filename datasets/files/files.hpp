@@ -50,6 +50,10 @@ MeshFile read_mesh(const std::filesystem::path& path, std::uint64_t sites = std:
 /// nothing half-written. Throws BadInput.
 void write_points(const std::filesystem::path& path, std::span<const Point2> points);
 
+/// The files that write_mesh(path) would write: the mesh, and for .ele the points beside it. Throws BadInput
+/// where the ending is of no mesh format, so that a command can refuse before it computes.
+std::vector<std::filesystem::path> mesh_files(const std::filesystem::path& path);
+
 /// Writes a mesh: .off, or .ele with its .node beside it; "-" is standard output as .off. Else as
 /// write_points.
 void write_mesh(const std::filesystem::path& path, std::span<const Point2> points,

@@ -27,6 +27,10 @@ const Format& format_of(const std::filesystem::path& path, const Format& piped, 
   throw BadInput(name_of(path) + ": no format for " + std::string(things) + " has the ending " +
                  in_quotes(ending) + ", there are" + known);
 }
+
+const Format& mesh_format(const std::filesystem::path& path) {
+  return format_of(path, files::off, "meshes", [](const Format& f) { return f.write_mesh != nullptr; });
+}
 }  // namespace
 
 PointFile read_points(const std::filesystem::path& path) {
@@ -51,15 +55,18 @@ void write_points(const std::filesystem::path& path, std::span<const Point2> poi
   write_text(path, format.write_points(points));
 }
 
+std::vector<std::filesystem::path> mesh_files(const std::filesystem::path& path) {
+  std::vector<std::filesystem::path> files{path};
+  if (const Format* beside = mesh_format(path).points_beside)
+    files.push_back(std::filesystem::path(path).replace_extension(beside->about.name));
+  return files;
+}
+
 void write_mesh(const std::filesystem::path& path, std::span<const Point2> points,
                 std::span<const std::array<std::uint32_t, 3>> triangles) {
-  const Format& format =
-      format_of(path, files::off, "meshes", [](const Format& f) { return f.write_mesh != nullptr; });
-  if (format.points_beside != nullptr) {
-    auto beside = path;
-    beside.replace_extension(format.points_beside->about.name);
-    write_text(beside, format.points_beside->write_points(points));
-  }
+  const Format& format = mesh_format(path);
+  if (format.points_beside != nullptr)
+    write_text(mesh_files(path)[1], format.points_beside->write_points(points));
   write_text(path, format.write_mesh(points, triangles));
 }
 

@@ -29,27 +29,33 @@ Box box_of(std::span<const Point2> points) {
   return box;
 }
 
-/// From the plane to the sheet. Halves are subtracted, so that no finite box overflows.
+/// From the plane to the sheet. Coordinates are first scaled by a power of two to at most 1 in size, exactly,
+/// so that no finite box overflows or vanishes.
 class Sheet {
  public:
-  explicit Sheet(const Box& box) : low_(box.low) {
-    const double w = half_extent(box, 0), h = half_extent(box, 1);
+  explicit Sheet(const Box& box) {
+    double largest = 0;
+    for (const Point2& corner : {box.low, box.high})
+      for (const double c : corner.coordinate) largest = std::max(largest, std::fabs(c));
+    exponent_ = largest > 0 ? -std::ilogb(largest) - 1 : 0;
+    low_ = {scaled(box.low[0]), scaled(box.low[1])};
+    const double w = scaled(box.high[0]) - low_[0], h = scaled(box.high[1]) - low_[1];
     const double longer = std::max(w, h);
-    half_scale_ = longer > 0 ? (width - 2 * margin) / longer : 0;
-    height_ = h * half_scale_ + 2 * margin;
-    width_ = w * half_scale_ + 2 * margin;
+    scale_ = longer > 0 ? (width - 2 * margin) / longer : 0;
+    height_ = h * scale_ + 2 * margin;
+    width_ = w * scale_ + 2 * margin;
   }
-  double x(const Point2& p) const { return margin + (p[0] / 2 - low_[0] / 2) * half_scale_; }
-  double y(const Point2& p) const { return height_ - margin - (p[1] / 2 - low_[1] / 2) * half_scale_; }
+  double x(const Point2& p) const { return margin + (scaled(p[0]) - low_[0]) * scale_; }
+  double y(const Point2& p) const { return height_ - margin - (scaled(p[1]) - low_[1]) * scale_; }
   double sheet_width() const { return width_; }
   double sheet_height() const { return height_; }
 
  private:
-  static double half_extent(const Box& box, std::size_t axis) {
-    return box.high[axis] / 2 - box.low[axis] / 2;
-  }
-  Point2 low_;
-  double half_scale_ = 0, width_ = 0, height_ = 0;
+  double scaled(double c) const { return std::ldexp(c, exponent_); }
+
+  int exponent_ = 0;
+  Point2 low_{};
+  double scale_ = 0, width_ = 0, height_ = 0;
 };
 
 void append(std::string& text, double value) {
@@ -65,10 +71,15 @@ void append_position(std::string& text, const Sheet& sheet, const Point2& p) {
 
 }  // namespace
 
+void require_picture_ending(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  if (ending != ".svg" && ending != ".SVG")
+    throw BadInput(path.string() + ": pictures are written as .svg, not '" + ending + "'");
+}
+
 void write_picture(const std::filesystem::path& path, std::span<const Point2> points,
                    std::span<const std::array<std::uint32_t, 3>> triangles) {
-  if (path.extension() != ".svg")
-    throw BadInput(path.string() + ": pictures are written as .svg, not '" + path.extension().string() + "'");
+  require_picture_ending(path);
   const Sheet sheet(box_of(points));
   std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 ";
   append(svg, sheet.sheet_width());

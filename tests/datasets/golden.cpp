@@ -52,8 +52,8 @@ TEST(Golden, EveryDatasetOf1000PointsAndSeed1) {
   EXPECT_EQ(expected.size(), datasets().size());
   for (const Dataset& dataset : datasets()) {
     const auto golden = expected.find(dataset.about.name);
-    ASSERT_NE(golden, expected.end()) << dataset.about.name;
-    EXPECT_EQ(digest(dataset.generate(1000, 1)), golden->second)
+    const std::uint64_t pinned = golden == expected.end() ? 0 : golden->second;
+    EXPECT_EQ(digest(dataset.generate(1000, 1)), pinned)
         << "{\"" << dataset.about.name << "\", 0x" << std::hex << digest(dataset.generate(1000, 1)) << "},";
   }
 }

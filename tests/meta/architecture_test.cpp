@@ -137,7 +137,8 @@ TEST(Architecture, EverySourceIsCompiled) {
     for (const Source& source : sources_of(room)) {
       if (source.path.substr(source.path.rfind('.')) != ".cpp") continue;
       const std::string name = fs::path(source.path).stem().string();
-      EXPECT_NE(lists.find(name), std::string::npos) << source.path << " is in no CMakeLists.txt of its room";
+      const std::regex listed("[ /\n(]" + name + "(\\.cpp\\b|\\))");
+      EXPECT_TRUE(std::regex_search(lists, listed)) << source.path << " is in no list of its room";
     }
   }
 }
