@@ -85,7 +85,7 @@ class AlgorithmCell {
     const CountedKernel2 counted(kernel, calls);
     const bool counts = cell_.measure == Measure::counts;
     const PeakMemory memory;
-    const Triangulation result = triangulate(points_, order_, counts ? counted : kernel, algorithm_);
+    Triangulation result = triangulate(points_, order_, counts ? counted : kernel, algorithm_);
     row.peak_bytes = memory.growth();
     for (const auto& [name, value] : calls.named()) row.counters[name] = static_cast<double>(value);
     set_outcome(row, result.outcome, result.reason);

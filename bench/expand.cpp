@@ -226,7 +226,7 @@ class Block {
 
   /// A parameter's value as text, which every task of the block must accept.
   std::string parameter_value(const toml::key& key, const toml::node& node) const {
-    const std::string text =
+    std::string text =
         node.is_integer() ? std::to_string(node.as_integer()->get()) : reader_.text(node, key.str());
     for (const std::string& task : tasks_) {
       const auto parameters = find_experiment(task)->parameters;

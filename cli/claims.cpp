@@ -57,6 +57,7 @@ int claims(const ClaimsOptions& options, Console& console) {
     return judged_bad;
   }
   std::vector<reports::Tried> trials;
+  trials.reserve(tried.size());
   const RowsByKey rows = by_key(result.rows);
   for (const reports::Claim& claim : tried) trials.push_back(try_on(claim, options.tier, rows));
   if (console.json)
