@@ -19,7 +19,7 @@ namespace {
 
 nlohmann::json manifest_of(const std::string& directory) {
   const std::filesystem::path path = std::filesystem::path(directory) / "manifest.json";
-  const nlohmann::json manifest = nlohmann::json::parse(read_text(path), nullptr, false);
+  nlohmann::json manifest = nlohmann::json::parse(read_text(path), nullptr, false);
   if (!manifest.is_object()) throw BadInput(path.string() + ": not the manifest of a run");
   return manifest;
 }
