@@ -37,7 +37,8 @@ void Scale::linear_ticks() {
   const double last = std::ceil(high_ / step - 1e-9);
   low_ = first * step;
   high_ = last * step;
-  for (double k = first; k <= last; ++k) ticks_.push_back(k * step);
+  const auto steps = static_cast<int>(last - first);
+  for (int k = 0; k <= steps; ++k) ticks_.push_back((first + k) * step);
 }
 
 void Scale::log_ticks() {
