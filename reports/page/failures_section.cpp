@@ -46,6 +46,7 @@ std::string failures_section(const ReportInput& input) {
   std::string html = "<section aria-labelledby=\"failures\"><h2 id=\"failures\">Failures and refusals</h2>";
   if (kinds.empty()) return html + "<p class=\"absent\">Every run ended ok.</p></section>\n";
   std::vector<const Kind*> sorted;
+  sorted.reserve(kinds.size());
   for (const auto& [key, kind] : kinds) sorted.push_back(&kind);
   // Failures before refusals, then by number.
   const auto rank = [](const Kind* kind) {
