@@ -3,22 +3,16 @@
 
 #include "predicates/decision.hpp"
 #include "predicates/kernel.hpp"
+#include "predicates/predicate.hpp"
 
 #include <array>
 #include <cstdint>
 #include <numeric>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace tribunal {
-
-enum class Predicate : std::uint8_t { orient2d, incircle, orient3d, insphere };
-
-inline constexpr std::array<std::string_view, 4> predicate_names{"orient2d", "incircle", "orient3d",
-                                                                 "insphere"};
-constexpr std::string_view to_string(Predicate p) { return predicate_names[static_cast<std::size_t>(p)]; }
 
 /// Calls by predicate and deciding stage.
 struct PredicateCounts {
