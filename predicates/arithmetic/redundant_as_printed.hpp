@@ -30,10 +30,10 @@ inline constexpr Misprints all_corrected{false, false, false};
 /// impossible signs (s1 = s2 >= 0, s3 < 0), is Knuth's: the third product gets the sign opposite to that of
 /// the first two together. The 64-bit words keep the transcription free of overflow; where Knuth's program is
 /// correct, 32 bits suffice.
-constexpr Sign sign_of_dot_product_as_printed(Triple x, const Triple& y_given,
+constexpr Sign sign_of_dot_product_as_printed(Triple<std::int32_t> x, const Triple<std::int32_t>& y_given,
                                               Misprints misprints = as_printed) {
-  Triple y = y_given;
-  Triple s{};
+  Triple<std::int32_t> y = y_given;
+  Triple<std::int32_t> s{};
   for (int i = 0; i < 3; ++i) {
     s[i] = x[i] == 0 || y[i] == 0 ? 0 : x[i] > 0 ? 1 : -1;
     if (x[i] < 0) x[i] = -x[i];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "predicates/decision.hpp"
+#include "predicates/environment.hpp"
 #include "predicates/formulas/in_sphere.hpp"
 #include "predicates/formulas/orient.hpp"
 #include "predicates/formulas/query.hpp"
@@ -10,6 +11,7 @@
 #include <concepts>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -24,6 +26,12 @@ struct BackendAbout {
   bool exact;                ///< promises the true sign on its whole domain
 };
 
+/// Whether backend B gives the sign of a formula: most do of any.
+template <class B, class Formula>
+concept Evaluates = requires(const B backend) {
+  { backend.template decide<Formula>(Query<Formula>{}) } -> std::same_as<Decision>;
+};
+
 /// A backend in D dimensions: a value that B::bind made for a point set, and that then only answers. `bind`
 /// either accepts all the points or names the first that lies outside the domain; `decide` never fails.
 template <class B, int D>
@@ -32,9 +40,7 @@ concept Backend = std::movable<B> &&
   { B::about } -> std::convertible_to<const BackendAbout&>;
   { B::bind(points) } -> std::same_as<Binding<B>>;
   { backend.admits(point) } -> std::same_as<bool>;
-  { backend.template decide<Orient<D>>(Query<Orient<D>>{}) } -> std::same_as<Decision>;
-  { backend.template decide<InSphere<D>>(Query<InSphere<D>>{}) } -> std::same_as<Decision>;
-};
+} && Evaluates<B, Orient<D>> && Evaluates<B, InSphere<D>>;
 
 /// A planar backend behind the interface. The direct member stays inlinable for engines that are templates.
 template <Backend<2> B>
@@ -78,8 +84,12 @@ struct BackendEntry {
 };
 
 namespace detail {
+/// Binds in a sound floating-point environment only: under another rounding mode, or with subnormal numbers
+/// flushed, a certified filter may certify the wrong sign. A change after binding is not seen here.
 template <class Kernel, class Erased, class B, int D>
 Binding<std::unique_ptr<const Kernel>> bind_erased(std::span<const Point<D>> points) {
+  if (std::string fault = describe_fault(witness_floating_point()); !fault.empty())
+    return Refusal{0, std::move(fault)};
   Binding<B> bound = B::bind(points);
   if (auto* refusal = std::get_if<Refusal>(&bound)) return std::move(*refusal);
   return std::make_unique<const Erased>(std::get<B>(std::move(bound)));

@@ -1,14 +1,20 @@
-// Backend `filtered`, the default: a certified first stage, then integers where the data allow, then GMP.
+// Backend `filtered`, the default: floating point where it proves the sign, integers where the data are a
+// lattice, pairs of doubles and wider integers where they are not, GMP last.
 #pragma once
 
 #include "predicates/backends/backend.hpp"
 #include "predicates/backends/exact_sign.hpp"
 #include "predicates/backends/integer_sign.hpp"
+#include "predicates/backends/window_sign.hpp"
 #include "predicates/domain.hpp"
+#include "predicates/filters/double_double.hpp"
 #include "predicates/filters/dynamic.hpp"
-#include "predicates/lattice.hpp"
+#include "predicates/integer_frame.hpp"
+#include "predicates/working_box.hpp"
 
 #include <algorithm>
+#include <cassert>
+#include <concepts>
 #include <optional>
 
 namespace tribunal {
@@ -17,8 +23,8 @@ class Filtered {
  public:
   static constexpr BackendAbout about{
       .name = "filtered",
-      .cites = "Fortune and Van Wyk 1993; Bartels, Fisikopoulos and Weiser 2023",
-      .summary = "a branchless certified filter, then fixed-width integers on a lattice, else GMP",
+      .cites = "Fortune and Van Wyk 1993; Shewchuk 1997; Bartels, Fisikopoulos and Weiser 2023",
+      .summary = "a certified filter, then integers or double-doubles as the data suggest, GMP last",
       .domain = "finite doubles",
       .exact = true,
   };
@@ -26,36 +32,70 @@ class Filtered {
   template <int D>
   static Binding<Filtered> bind(std::span<const Point<D>> points) {
     if (auto refusal = refuse_non_finite(points)) return *refusal;
-    auto found = Lattice::find(points);
-    if (auto* lattice = std::get_if<Lattice>(&found)) return Filtered(*lattice);
-    return Filtered(std::nullopt);
+    return Filtered(WorkingBox::around(points), IntegerFrame::find(points));
   }
   template <int D>
   bool admits(const Point<D>& p) const {
-    return is_finite(p);
+    return box_.contains(p);
   }
+
+  /// One threshold for the whole box decides nearly every query; it costs a comparison more than no filter at
+  /// all.
   template <class Formula>
   Decision decide(const Query<Formula>& query) const {
-    const Sign sign = filtered_sign<Formula>(query);
+    assert(std::all_of(query.begin(), query.end(), [&](const auto& p) { return admits(p); }));
+    const Sign sign = sign_beyond(Formula::determinant(query), threshold<Formula>());
     if (sign != Sign::zero) [[likely]]
       return {sign, Stage::filter};
-    return decide_exactly<Formula>(query);
+    return with_coordinates<Formula>(
+        query, [this](auto... c) { return this->template decide_close<Formula>(c...); });
+  }
+
+  /// A determinant of admitted points, computed in doubles as written, that is greater in magnitude has its
+  /// true sign. Infinite for formulas other than the kernel's predicates: their queries begin with the bound
+  /// of their own points.
+  template <class Formula>
+  double threshold() const {
+    if constexpr (std::same_as<Formula, Orient<2>>)
+      return orient2d_threshold_;
+    else if constexpr (std::same_as<Formula, InSphere<2>>)
+      return incircle_threshold_;
+    else if constexpr (std::same_as<Formula, Orient<3>>)
+      return orient3d_threshold_;
+    else if constexpr (std::same_as<Formula, InSphere<3>>)
+      return insphere_threshold_;
+    else
+      return std::numeric_limits<double>::infinity();
   }
 
  private:
-  explicit Filtered(std::optional<Lattice> lattice) : lattice_(lattice) {}
+  Filtered(const WorkingBox& box, const std::optional<IntegerFrame>& frame)
+      : box_(box),
+        frame_(frame),
+        orient2d_threshold_(error_bound_in_box<Orient<2>>(box.width())),
+        incircle_threshold_(error_bound_in_box<InSphere<2>>(box.width())),
+        orient3d_threshold_(error_bound_in_box<Orient<3>>(box.width())),
+        insphere_threshold_(error_bound_in_box<InSphere<3>>(box.width())) {}
 
-  /// Any finite point may be asked about, also one that was never bound: the lattice is asked before it is
-  /// trusted.
+  /// What the threshold of the box left open. Of a lattice, integers decide at once; a point off it is found
+  /// out by `count`.
   template <class Formula>
-  [[gnu::noinline]] Decision decide_exactly(const Query<Formula>& query) const {
-    const bool on_lattice = lattice_ && std::all_of(query.begin(), query.end(),
-                                                    [&](const auto& p) { return lattice_->contains(p); });
-    if (on_lattice) return {integer_sign<Formula>(query, *lattice_), Stage::integer};
+  [[gnu::noinline]] Decision decide_close(std::same_as<double> auto... coordinates) const {
+    const Query<Formula> query = query_of<Formula>(coordinates...);
+    Sign sign = filtered_sign<Formula>(query);
+    if (sign != Sign::zero) return {sign, Stage::filter};
+    Arguments<std::int64_t, Formula> counts;
+    if (frame_ && frame_->count<Formula>(query, counts))
+      return {integer_sign<Formula>(counts, frame_->bits()), Stage::integer};
+    sign = double_double_sign<Formula>(query);
+    if (sign != Sign::zero) return {sign, Stage::double_double};
+    if (const auto windowed = window_sign<Formula>(query)) return {*windowed, Stage::integer};
     return {exact_sign<Formula>(query), Stage::exact};
   }
 
-  std::optional<Lattice> lattice_;  ///< of the bound points, where they have one
+  WorkingBox box_;
+  std::optional<IntegerFrame> frame_;  ///< of the bound points, where they have one
+  double orient2d_threshold_, incircle_threshold_, orient3d_threshold_, insphere_threshold_;
 };
 static_assert(Backend<Filtered, 2> && Backend<Filtered, 3>);
 

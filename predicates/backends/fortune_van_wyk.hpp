@@ -4,12 +4,12 @@
 
 #include "predicates/backends/backend.hpp"
 #include "predicates/backends/integer_sign.hpp"
+#include "predicates/filters/sign_beyond.hpp"
 #include "predicates/filters/static.hpp"
 #include "predicates/lattice.hpp"
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <concepts>
 
 namespace tribunal {
@@ -25,44 +25,65 @@ class FortuneVanWyk {
       .exact = true,
   };
 
-  static Binding<FortuneVanWyk> bind(std::span<const Point2> points) {
+  template <int D>
+  static Binding<FortuneVanWyk> bind(std::span<const Point<D>> points) {
     auto found = Lattice::find(points);
     if (auto* refusal = std::get_if<Refusal>(&found)) return std::move(*refusal);
     return FortuneVanWyk(std::get<Lattice>(found));
   }
-  bool admits(const Point2& p) const { return lattice_.contains(p); }
+  template <int D>
+  bool admits(const Point<D>& p) const {
+    return lattice_.contains(p);
+  }
 
   template <class Formula>
   Decision decide(const Query<Formula>& query) const {
-    assert(std::all_of(query.begin(), query.end(), [&](const Point2& p) { return admits(p); }));
-    const double determinant = Formula::determinant(query);
+    assert(std::all_of(query.begin(), query.end(), [&](const auto& p) { return admits(p); }));
     const double error = error_bound<Formula>();
-    if (std::fabs(determinant) > error) [[likely]]
-      return {sign_of(determinant), Stage::filter};
-    if (error == 0) return {Sign::zero, Stage::filter};  // nothing was rounded
-    return {integer_sign<Formula>(query, lattice_), Stage::integer};
+    const Sign sign = sign_beyond(Formula::determinant(query), error);
+    if (sign != Sign::zero) [[likely]]
+      return {sign, Stage::filter};
+    return with_coordinates<Formula>(
+        query, [this](auto... c) { return this->template decide_close<Formula>(c...); });
   }
 
  private:
   explicit FortuneVanWyk(const Lattice& lattice)
       : lattice_(lattice),
-        orient_error_(scaled_error<Orient<2>>(lattice)),
-        in_sphere_error_(scaled_error<InSphere<2>>(lattice)) {}
+        orient2d_error_(scaled_error<Orient<2>>()),
+        incircle_error_(scaled_error<InSphere<2>>()),
+        orient3d_error_(scaled_error<Orient<3>>()),
+        insphere_error_(scaled_error<InSphere<3>>()) {}
 
   template <class Formula>
-  static double scaled_error(const Lattice& lattice) {
-    constexpr int degree = IntegerDeterminant<Formula, Lattice::most_bits>::degree;
-    return static_error_bound<Formula>(lattice.bits(), lattice.exponent(), degree);
+  [[gnu::noinline]] Decision decide_close(std::same_as<double> auto... coordinates) const {
+    if (error_bound<Formula>() == 0) return {Sign::zero, Stage::filter};  // nothing was rounded
+    return {integer_sign<Formula>(query_of<Formula>(coordinates...), lattice_), Stage::integer};
   }
+
+  template <class Formula>
+  double scaled_error() const {
+    constexpr int degree = IntegerDeterminant<Formula, Lattice::most_bits>::degree;
+    return static_error_bound<Formula>(lattice_.bits(), lattice_.exponent(), degree);
+  }
+  /// Those of the kernel's predicates are kept; a user's formula has its bound computed when it is asked.
   template <class Formula>
   double error_bound() const {
-    if constexpr (std::same_as<Formula, Orient<2>>) return orient_error_;
-    if constexpr (std::same_as<Formula, InSphere<2>>) return in_sphere_error_;
+    if constexpr (std::same_as<Formula, Orient<2>>)
+      return orient2d_error_;
+    else if constexpr (std::same_as<Formula, InSphere<2>>)
+      return incircle_error_;
+    else if constexpr (std::same_as<Formula, Orient<3>>)
+      return orient3d_error_;
+    else if constexpr (std::same_as<Formula, InSphere<3>>)
+      return insphere_error_;
+    else
+      return scaled_error<Formula>();
   }
 
   Lattice lattice_;
-  double orient_error_, in_sphere_error_;
+  double orient2d_error_, incircle_error_, orient3d_error_, insphere_error_;
 };
-static_assert(Backend<FortuneVanWyk, 2>);
+static_assert(Backend<FortuneVanWyk, 2> && Backend<FortuneVanWyk, 3>);
 
 }  // namespace tribunal

@@ -26,21 +26,33 @@ BoundedInteger<Bits> operator-(LatticeCoordinate<Bits> a, LatticeCoordinate<Bits
   return {static_cast<typename BoundedInteger<Bits>::Storage>(units)};
 }
 
+/// A coordinate that is an integer itself; differences of two are below 2^Bits in magnitude.
+template <int Bits>
+struct CountedCoordinate {
+  SignedInteger<Bits + 1> count;
+};
+
+template <int Bits>
+constexpr BoundedInteger<Bits> operator-(const CountedCoordinate<Bits>& a, const CountedCoordinate<Bits>& b) {
+  return {a.count - b.count};
+}
+
 /// What the determinant of a formula is when differences are below 2^Bits.
 template <class Formula, int Bits>
 using IntegerDeterminant = decltype(Formula::determinant(Arguments<LatticeCoordinate<Bits>, Formula>{}));
 
-/// Calls visit.operator()<Bits>() with the least step of the ladder that is no smaller than `bits` <= 53. The
+/// Calls visit.operator()<Bits>() with the least step of the ladder that is no smaller than `bits` <= 62. The
 /// steps are the coordinate sizes that Barth, section 3.7, speaks of: Knuth's 14, single precision, the
-/// redundant example's 28, truncation to 36, double precision.
+/// redundant example's 28, truncation to 36, double precision; and what one word holds.
 template <class Visitor>
 auto visit_ladder(int bits, Visitor visit) {
-  assert(bits <= Lattice::most_bits);
+  assert(bits <= 62);
   if (bits <= 14) return visit.template operator()<14>();
   if (bits <= 24) return visit.template operator()<24>();
   if (bits <= 28) return visit.template operator()<28>();
   if (bits <= 36) return visit.template operator()<36>();
-  return visit.template operator()<53>();
+  if (bits <= 53) return visit.template operator()<53>();
+  return visit.template operator()<62>();
 }
 
 /// The exact sign of the determinant of points that the lattice contains.
@@ -51,6 +63,18 @@ Sign integer_sign(const Query<Formula>& query, const Lattice& lattice) {
         convert_arguments<LatticeCoordinate<Bits>, Formula>(query, [unit = lattice.inverse_unit()](double c) {
           return LatticeCoordinate<Bits>{c, unit};
         })));
+  });
+}
+
+/// The exact sign of the determinant of integer coordinates that differ by less than 2^bits, bits <= 62.
+template <class Formula>
+Sign integer_sign(const Arguments<std::int64_t, Formula>& counts, int bits) {
+  return visit_ladder(bits, [&]<int Bits>() {
+    Arguments<CountedCoordinate<Bits>, Formula> arguments;
+    for (int i = 0; i < Formula::points; ++i)
+      for (int j = 0; j < Formula::dimension; ++j)
+        arguments[i][j] = {static_cast<SignedInteger<Bits + 1>>(counts[i][j])};
+    return sign_of(Formula::determinant(arguments));
   });
 }
 

@@ -1,13 +1,10 @@
 // Backend `knuth`: exact signs in 32-bit words, by redundant integers.
 #pragma once
 
-#include "predicates/arithmetic/redundant_integer.hpp"
 #include "predicates/backends/backend.hpp"
-#include "predicates/backends/knuth_terms.hpp"
-#include "predicates/integer_box.hpp"
+#include "predicates/backends/knuth_box.hpp"
 
-#include <algorithm>
-#include <cassert>
+#include <cstdint>
 
 namespace tribunal {
 
@@ -22,28 +19,22 @@ class Knuth {
   };
 
   static Binding<Knuth> bind(std::span<const Point2> points) {
-    auto box = IntegerBox<2>::find(points, knuth_box_width);
+    auto box = Box::find(points);
     if (auto* refusal = std::get_if<Refusal>(&box)) return std::move(*refusal);
-    return Knuth(std::get<IntegerBox<2>>(box));
+    return Knuth(std::get<Box>(box));
   }
   bool admits(const Point2& p) const { return box_.contains(p); }
 
-  template <class Formula>
+  template <SumOfThreeProducts Formula>
   Decision decide(const Query<Formula>& query) const {
-    assert(std::all_of(query.begin(), query.end(), [&](const Point2& p) { return admits(p); }));
-    return {sign(query), Stage::integer};
+    return box_.template decide<Formula>(query);
   }
 
  private:
-  explicit Knuth(const IntegerBox<2>& box) : box_(box) {}
+  using Box = KnuthBox<std::int32_t>;
+  explicit Knuth(const Box& box) : box_(box) {}
 
-  static Sign sign(const Query<Orient<2>>& query) { return knuth_orient(query); }
-  static Sign sign(const Query<InSphere<2>>& query) {
-    const KnuthTerms terms = knuth_terms(query);
-    return sign_of_dot_product(terms.x, terms.y);
-  }
-
-  IntegerBox<2> box_;
+  Box box_;
 };
 static_assert(Backend<Knuth, 2>);
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
 
 namespace tribunal {
 
@@ -22,14 +23,14 @@ class KnuthAsPrinted {
   };
 
   static Binding<KnuthAsPrinted> bind(std::span<const Point2> points) {
-    auto box = IntegerBox<2>::find(points, knuth_box_width);
+    auto box = IntegerBox<2>::find(points, knuth_box_width<std::int32_t>);
     if (auto* refusal = std::get_if<Refusal>(&box)) return std::move(*refusal);
     return KnuthAsPrinted(std::get<IntegerBox<2>>(box));
   }
   bool admits(const Point2& p) const { return box_.contains(p); }
 
   /// The text prints no orientation test; that one is right. Nothing here is certified.
-  template <class Formula>
+  template <SumOfThreeProducts Formula>
   Decision decide(const Query<Formula>& query) const {
     assert(std::all_of(query.begin(), query.end(), [&](const Point2& p) { return admits(p); }));
     return {sign(query), Stage::rounded};
@@ -38,9 +39,9 @@ class KnuthAsPrinted {
  private:
   explicit KnuthAsPrinted(const IntegerBox<2>& box) : box_(box) {}
 
-  static Sign sign(const Query<Orient<2>>& query) { return knuth_orient(query); }
+  static Sign sign(const Query<Orient<2>>& query) { return knuth_orient<std::int32_t>(query); }
   static Sign sign(const Query<InSphere<2>>& query) {
-    const KnuthTerms terms = knuth_terms(query);
+    const auto terms = knuth_terms<std::int32_t>(query);
     return sign_of_dot_product_as_printed(terms.x, terms.y);
   }
 

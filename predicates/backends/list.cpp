@@ -1,32 +1,43 @@
 #include "predicates/backends/list.hpp"
 
-#include "predicates/backends/double.hpp"
-#include "predicates/backends/double_fma.hpp"
-#include "predicates/backends/filtered.hpp"
-#include "predicates/backends/fortune_van_wyk.hpp"
-#include "predicates/backends/gmp.hpp"
-#include "predicates/backends/knuth.hpp"
-#include "predicates/backends/knuth_as_printed.hpp"
+#include "predicates/backends/all.hpp"
+#include "predicates/symbolic/entry.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace tribunal {
 namespace {
-constexpr std::array all{
-    backend_entry<Double>(),        backend_entry<DoubleFma>(),
-    backend_entry<Knuth>(),         backend_entry<KnuthAsPrinted>(),
-    backend_entry<FortuneVanWyk>(), backend_entry<Filtered>(),
-    backend_entry<Gmp>(),
-};
+template <class... B>
+constexpr std::array<BackendEntry, sizeof...(B)> entries_of(BackendTypes<B...>) {
+  return {backend_entry<B>()...};
+}
+constexpr auto all = entries_of(AllBackends{});
+
+template <class... B>
+constexpr auto symbolic_entries_of(BackendTypes<B...>) {
+  std::array<BackendEntry, (std::size_t{B::about.exact} + ...)> entries{};
+  auto next = entries.begin();
+  const auto add = [&]<class Each>(BackendTypes<Each>) {
+    if constexpr (Each::about.exact) *next++ = symbolic_entry<Each>();
+  };
+  (add(BackendTypes<B>{}), ...);
+  return entries;
+}
+constexpr auto all_symbolic = symbolic_entries_of(AllBackends{});
 }  // namespace
 
 std::span<const BackendEntry> backends() { return all; }
+std::span<const BackendEntry> symbolic_backends() { return all_symbolic; }
 
 const BackendEntry* find_backend(std::string_view name) {
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const auto& e) { return e.about->name == name; });
-  return found == all.end() ? nullptr : &*found;
+  for (const std::span<const BackendEntry> entries : {backends(), symbolic_backends()}) {
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.about->name == name; });
+    if (found != entries.end()) return &*found;
+  }
+  return nullptr;
 }
 
 }  // namespace tribunal
