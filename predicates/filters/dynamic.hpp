@@ -2,6 +2,7 @@
 // proportional to.
 #pragma once
 
+#include "predicates/filters/sign_beyond.hpp"
 #include "predicates/formulas/in_sphere.hpp"
 #include "predicates/formulas/orient.hpp"
 #include "predicates/formulas/query.hpp"
@@ -123,6 +124,23 @@ static_assert(detail::is_nearly(error_coefficient<Orient<3>>, 7));
 static_assert(detail::is_nearly(error_coefficient<InSphere<2>>, 10));
 static_assert(detail::is_nearly(error_coefficient<InSphere<3>>, 16));
 
+/// A coordinate of which only the width of its box is known.
+struct BoxCoordinate {
+  double width;
+};
+inline FilteredDifference operator-(BoxCoordinate a, BoxCoordinate) { return {a.width}; }
+
+/// A threshold for all queries with points in a box of that width: where the determinant, computed in
+/// floating point as written, is greater in magnitude, its sign is right. Magnitudes grow with the
+/// differences, and so does their rounding; hence K m is greatest when every difference is as large as can
+/// be, and this is K m then. Infinite or NaN where it overflows: then nothing is greater.
+template <class Formula>
+double error_bound_in_box(double width) {
+  Arguments<BoxCoordinate, Formula> arguments;
+  for (auto& point : arguments) point.fill({width});
+  return error_coefficient<Formula> * Formula::determinant(arguments).magnitude;
+}
+
 /// The sign of the determinant where one pass of floating-point arithmetic proves it; zero says "not proven",
 /// never "is zero". Sound for all finite doubles under round-to-nearest with subnormals. Without branches.
 template <class Formula>
@@ -130,10 +148,7 @@ inline Sign filtered_sign(const Query<Formula>& query) {
   const FilteredValue d = Formula::determinant(
       convert_arguments<FilteredCoordinate, Formula>(query, [](double c) { return FilteredCoordinate{c}; }));
   const double error = error_coefficient<Formula> * d.magnitude;
-  // Where |d| > 0 its sign bit is the answer: cheaper than two more comparisons.
-  if (std::fabs(d.value) > error) [[likely]]
-    return std::signbit(d.value) ? Sign::negative : Sign::positive;
-  return Sign::zero;
+  return sign_beyond(d.value, error);
 }
 
 }  // namespace tribunal
