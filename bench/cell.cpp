@@ -55,6 +55,7 @@ void run_experiment(const Experiment& experiment, const Cell& cell, Row& row) {
   set_outcome(row, finding.outcome, std::move(finding.reason));
   row.counters = std::move(finding.counters);
   row.texts = std::move(finding.texts);
+  row.seconds = std::move(finding.seconds);
 }
 
 /// One algorithm on one input, as often as the cell asks.

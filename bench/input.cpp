@@ -29,10 +29,22 @@ std::vector<Index> cell_order(std::span<const Point2> points, const Cell& cell, 
   return insertion_order(points, order, seed);
 }
 
-Kernel2Binding cell_kernel(std::span<const Point2> points, const Cell& cell) {
+namespace {
+const BackendEntry& cell_backend(const Cell& cell) {
   const BackendEntry* backend = find_backend(cell.backend);
   if (backend == nullptr) throw BadInput("no backend is named \"" + cell.backend + "\"");
-  return backend->bind2(points);
+  return *backend;
+}
+}  // namespace
+
+Kernel2Binding cell_kernel(std::span<const Point2> points, const Cell& cell) {
+  return cell_backend(cell).bind2(points);
+}
+
+Kernel3Binding cell_kernel3(std::span<const Point3> points, const Cell& cell) {
+  const BackendEntry& backend = cell_backend(cell);
+  if (backend.bind3 == nullptr) return Refusal{0, cell.backend + " has no spatial predicates"};
+  return backend.bind3(points);
 }
 
 std::string describe(const Refusal& refusal) {

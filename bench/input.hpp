@@ -23,6 +23,9 @@ std::vector<Index> cell_order(std::span<const Point2> points, const Cell& cell, 
 /// The cell's backend bound to the points, or why it will not. Throws BadInput when there is no such backend.
 Kernel2Binding cell_kernel(std::span<const Point2> points, const Cell& cell);
 
+/// The same in space; a backend without spatial predicates refuses.
+Kernel3Binding cell_kernel3(std::span<const Point3> points, const Cell& cell);
+
 /// "point 17: x = 16384 ...": a refusal as a row's reason.
 std::string describe(const Refusal& refusal);
 

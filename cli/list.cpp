@@ -1,10 +1,13 @@
 // tribunal list: what is here.
 #include "algorithms/list.hpp"
 
+#include "bench/outsider/probe.hpp"
+#include "cli/peers.hpp"
 #include "cli/verbs.hpp"
 #include "datasets/dataset.hpp"
 #include "datasets/files/files.hpp"
 #include "predicates/backends/list.hpp"
+#include "predicates/plugin/library.hpp"
 #include "reports/claim.hpp"
 
 #include <nlohmann/json.hpp>
@@ -63,6 +66,26 @@ json list_formats() {
   return all;
 }
 
+/// What each module that was built says of itself; one that cannot be loaded is listed with the reason.
+json list_peers() {
+  json all = json::array();
+  for (const auto& [name, file] : built_peers()) {
+    json peer{{"name", name}, {"file", file.string()}, {"offers", json::array()}, {"cites", ""}};
+    try {
+      const bench::PluginAbout about = bench::probe_plugin(file.string(), {.seconds = 10});
+      const bench::OfferAbout& offer = about.predicates ? *about.predicates : *about.triangulator;
+      for (const Predicate predicate : about.offered) peer["offers"].push_back(to_string(predicate));
+      if (about.triangulator) peer["offers"].push_back("delaunay");
+      peer["cites"] = offer.cites;
+      peer["summary"] = offer.summary;
+    } catch (const PluginError& error) {
+      peer["summary"] = error.what();
+    }
+    all.push_back(std::move(peer));
+  }
+  return all;
+}
+
 std::string cell_text(const json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
@@ -93,7 +116,7 @@ int list(const ListOptions& options, Console& console) {
       {"datasets", list_datasets, {"name", "points", "summary"}},
       {"claims", list_claims, {"id", "expected", "source", "statement"}},
       {"formats", list_formats, {"name", "holds", "summary"}},
-      {"peers", [] { return json::array(); }, {"name", "summary"}},
+      {"peers", list_peers, {"name", "cites", "summary", "file"}},
   };
   for (const Listing& listing : listings) {
     if (options.what != listing.what) continue;

@@ -41,6 +41,17 @@ Order order_named(const std::string& name) {
   refuse("order", name, order_names(), [](std::string_view o) { return o; });
 }
 
+Predicate predicate_named(const std::string& name) {
+  for (const Predicate predicate : all_predicates)
+    if (to_string(predicate) == name) return predicate;
+  refuse("predicate", name, predicate_names, [](std::string_view p) { return p; });
+}
+
+const QueryFamily& query_family_named(const std::string& name) {
+  if (const auto* found = find_query_family(name)) return *found;
+  refuse("family of queries", name, query_families(), [](const auto& f) { return f.name; });
+}
+
 std::vector<Point2> generate(const Dataset& dataset, std::uint64_t n, std::uint64_t seed) {
   const std::uint64_t usual = dataset.about.fixed_size ? dataset.about.fixed_size : 1000;
   return dataset.generate(n ? n : usual, seed);

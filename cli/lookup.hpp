@@ -3,7 +3,9 @@
 
 #include "algorithms/algorithm.hpp"
 #include "datasets/dataset.hpp"
+#include "datasets/queries/queries.hpp"
 #include "predicates/backends/backend.hpp"
+#include "predicates/predicate.hpp"
 
 #include <cstdint>
 #include <string>
@@ -16,6 +18,8 @@ const PlanarAlgorithm& algorithm_named(const std::string& name);
 const BackendEntry& backend_named(const std::string& name);
 const Dataset& dataset_named(const std::string& name);
 Order order_named(const std::string& name);
+Predicate predicate_named(const std::string& name);
+const QueryFamily& query_family_named(const std::string& name);
 
 /// n points of the dataset; n = 0: all of one of fixed size, 1000 of any other.
 std::vector<Point2> generate(const Dataset& dataset, std::uint64_t n, std::uint64_t seed);

@@ -67,6 +67,9 @@ class CommandLine {
     add_sign(std::move(numbers));
     add_triangulate();
     add_verify();
+    add_try();
+    add_bench();
+    add_fuzz();
     add_run();
     add_claims();
     add_report();
@@ -168,6 +171,75 @@ class CommandLine {
     verb->add_option("mesh", verify_options.mesh, "the mesh: .off or .ele")->required();
     verb->add_option("--kind", verify_options.kind, "delaunay or triangulation")->capture_default_str();
   }
+  void add_bench() {
+    auto& o = bench_options;
+    auto* verb = add_verb("bench", "timings side by side, and the ratios aimed at",
+                          "tribunal bench predicates --backend double --backend filtered --family uni", o,
+                          tribunal::cli::bench);
+    verb->add_option("what", o.what, "predicates")->required();
+    verb->add_option("--backend", o.backends, "only this backend; may be repeated")->allow_extra_args(false);
+    verb->add_option("--predicate", o.predicates, "only this predicate; may be repeated")
+        ->allow_extra_args(false);
+    verb->add_option("--family", o.families, "only this family of queries; may be repeated")
+        ->allow_extra_args(false);
+    verb->add_option("--queries", o.queries, "queries of each predicate and family")
+        ->check(check_whole_number)
+        ->capture_default_str()
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{10'000'000}));
+    verb->add_option("--repetitions", o.repetitions, "rounds in which everything compared is timed once")
+        ->check(check_whole_number)
+        ->capture_default_str()
+        ->check(CLI::Range(1, 10'000));
+    verb->add_option("--seed", o.seed, "seed of the queries")
+        ->check(check_whole_number)
+        ->capture_default_str();
+    verb->add_flag("--peers", o.peers, "with the rival libraries whose modules were built");
+  }
+  void add_try() {
+    auto& o = try_options;
+    auto* verb = add_verb("try", "an outsider's predicates or triangulator over every hard input",
+                          "tribunal try --plugin build/peers/cgal_epick.so", o, try_outsider);
+    verb->add_option("--plugin", o.plugin, "a shared library, see docs/plugins.md");
+    verb->add_option("--command", o.command,
+                     "a shell command with {points} and {mesh}, or {points.node}, {mesh.ele} and the like");
+    verb->add_option("--query", o.query, "only this query, e.g. 'orient2d 0 0 1 1 2 2'");
+    verb->add_option("--points", o.points, "only this file of points, - for standard input");
+    verb->add_option("--dataset", o.dataset, "only this dataset");
+    verb->add_option("-n", o.n, "points of each dataset")
+        ->check(check_whole_number)
+        ->capture_default_str()
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000}));
+    verb->add_option("--queries", o.queries, "queries of each predicate and family")
+        ->check(check_whole_number)
+        ->capture_default_str()
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000}));
+    verb->add_option("--seconds", o.seconds, "wall clock that one exercise may take")->capture_default_str();
+    verb->add_option("--seed", o.seed, "seed of the random numbers")
+        ->check(check_whole_number)
+        ->capture_default_str();
+    verb->add_option("--picture", o.picture, "folder for pictures of counterexamples");
+  }
+  void add_fuzz() {
+    auto& o = fuzz_options;
+    auto* verb = add_verb("fuzz", "hunt for wrong signs against exact integers",
+                          "tribunal fuzz --backend double --predicate orient2d --seconds 1", o, fuzz);
+    verb->add_option("--backend", o.backends, "only this backend; may be repeated")->allow_extra_args(false);
+    verb->add_option("--predicate", o.predicates, "only this predicate; may be repeated")
+        ->allow_extra_args(false);
+    verb->add_option("--plugin", o.plugins, "a shared library's predicates; may be repeated")
+        ->allow_extra_args(false);
+    verb->add_option("--seconds", o.seconds, "stop after so many; default 10 where --queries is not given")
+        ->check(CLI::PositiveNumber);
+    verb->add_option("--queries", o.queries, "stop after so many queries: the same output every time")
+        ->check(check_whole_number);
+    verb->add_option("--seed", o.seed, "seed of the sequence of queries")
+        ->check(check_whole_number)
+        ->capture_default_str();
+    verb->add_option("--oracle", o.oracle, "staged (a certified filter, GMP where it fails) or gmp")
+        ->capture_default_str();
+    verb->add_option("--corpus", o.corpus, "folder of cases to ask first; counterexamples are added");
+    verb->add_option("--picture", o.picture, "folder for pictures of the counterexamples");
+  }
   void add_run() {
     auto& o = run_options;
     auto* verb = add_verb("run", "a campaign on this machine",
@@ -222,6 +294,9 @@ class CommandLine {
       stray_numbers;  // what take_numbers did not take for numbers, for `sign` to refuse by name
   TriangulateOptions triangulate_options;
   VerifyOptions verify_options;
+  BenchOptions bench_options;
+  TryOptions try_options;
+  FuzzOptions fuzz_options;
   RunOptions run_options;
   ClaimsOptions claims_options;
   ReportOptions report_options;

@@ -5,6 +5,7 @@
 #include "cli/console.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,40 @@ struct VerifyOptions {
   std::string kind = "delaunay";
 };
 int verify(const VerifyOptions& options, Console& console);
+
+struct BenchOptions {
+  std::string what;                                         ///< predicates
+  std::vector<std::string> backends, predicates, families;  ///< empty: all
+  std::uint64_t queries = 100'352;
+  std::uint64_t seed = 1;
+  int repetitions = 21;
+  bool peers = false;
+};
+int bench(const BenchOptions& options, Console& console);
+
+struct TryOptions {
+  std::string plugin, command;         ///< one of them
+  std::string query, points, dataset;  ///< at most one of them; none: the whole zoo
+  std::uint64_t seed = 1;
+  std::uint64_t n = 200;           ///< points of each dataset
+  std::uint64_t queries = 10'000;  ///< of each predicate and family
+  double seconds = 5;              ///< that one exercise may take
+  std::string picture;             ///< folder for pictures of counterexamples; empty: none
+};
+int try_outsider(const TryOptions& options, Console& console);
+
+struct FuzzOptions {
+  std::vector<std::string> backends, predicates;  ///< empty: all
+  std::vector<std::string> plugins;               ///< shared libraries
+  std::optional<double> seconds;                  ///< neither this nor `queries`: default_fuzz_seconds
+  std::optional<std::uint64_t> queries;           ///< how many are drawn
+  std::uint64_t seed = 1;
+  std::string oracle = "staged";  ///< or gmp
+  std::string corpus;             ///< folder of *.query files; empty: none
+  std::string picture;            ///< folder for pictures of counterexamples; empty: none
+};
+inline constexpr double default_fuzz_seconds = 10;
+int fuzz(const FuzzOptions& options, Console& console);
 
 struct RunOptions {
   std::string plan;

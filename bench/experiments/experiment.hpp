@@ -39,6 +39,7 @@ struct Finding {
   std::string reason = {};
   std::map<std::string, double> counters = {};
   std::map<std::string, std::string> texts = {};
+  std::vector<double> seconds = {};  ///< samples of thread CPU time: all that a repetition may change
 };
 
 struct Experiment {
@@ -47,7 +48,7 @@ struct Experiment {
   std::string_view summary;  ///< one line
   Reads reads;
   std::span<const Parameter> parameters;
-  Finding (*run)(const Cell& cell);  ///< deterministic
+  Finding (*run)(const Cell& cell);  ///< deterministic but for seconds
 };
 
 /// All experiments. No name is that of an algorithm.

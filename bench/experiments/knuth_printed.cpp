@@ -29,7 +29,7 @@ constexpr Parameter generator_parameter{
 constexpr std::array parameters{generator_parameter};
 
 struct Case {
-  Triple x, y;
+  Triple<std::int32_t> x, y;
 };
 
 constexpr std::int32_t range = 1 << 28;

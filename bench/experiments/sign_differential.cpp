@@ -11,7 +11,7 @@
 //   full length.
 //
 // Counters: `queries`, `zeros` (exact), `wrong` = `false_zero` + `inverted` + `false_nonzero`, and
-// `stage.*`, the queries decided by each stage.
+// `stage.*`, the queries decided by each stage, 0 included.
 #include "bench/experiments/listed.hpp"
 #include "bench/experiments/sign_errors.hpp"
 #include "bench/input.hpp"
@@ -152,6 +152,7 @@ Finding run_sign_differential(const Cell& cell) {
   Finding finding;
   SignErrors errors;
   double zeros = 0;
+  for (const std::string_view stage : stage_names) finding.counters["stage." + std::string(stage)] = 0;
   for (std::size_t i = 0; i < points.size(); i += 4) {
     const Decision got = decide(kernel, &points[i], incircle);
     const Sign exact = decide(oracle, &points[i], incircle).sign;

@@ -1,0 +1,28 @@
+#include "bench/micro/query_set.hpp"
+
+#include "bench/micro/with_formula.hpp"
+#include "predicates/backends/exact_sign.hpp"
+
+namespace tribunal::bench {
+
+QuerySet draw_query_set(const QueryFamily& family, Predicate predicate, std::size_t count,
+                        std::uint64_t seed) {
+  QuerySet queries{predicate, count, {}, {}};
+  if (dimension_of(predicate) == 2)
+    queries.planar = draw_queries2(family, predicate, count, seed);
+  else
+    queries.spatial = draw_queries3(family, predicate, count, seed);
+  return queries;
+}
+
+std::vector<Sign> exact_signs(const QuerySet& queries) {
+  std::vector<Sign> signs(queries.count);
+  with_formula(queries.predicate, [&]<class Formula>() {
+    const auto points = queries.points<Formula::dimension>();
+    for (std::size_t i = 0; i < queries.count; ++i)
+      signs[i] = exact_sign<Formula>(query_at<Formula>(points, i));
+  });
+  return signs;
+}
+
+}  // namespace tribunal::bench

@@ -1,0 +1,40 @@
+// From a predicate's name at run time to its formula at compile time.
+#pragma once
+
+#include "predicates/formulas/in_sphere.hpp"
+#include "predicates/formulas/orient.hpp"
+#include "predicates/formulas/query.hpp"
+#include "predicates/predicate.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <span>
+
+namespace tribunal::bench {
+
+/// visit.operator()<Formula>(), with the formula of the predicate.
+template <class Visit>
+decltype(auto) with_formula(Predicate predicate, Visit visit) {
+  switch (predicate) {
+    case Predicate::orient2d:
+      return visit.template operator()<Orient<2>>();
+    case Predicate::incircle:
+      return visit.template operator()<InSphere<2>>();
+    case Predicate::orient3d:
+      return visit.template operator()<Orient<3>>();
+    case Predicate::insphere:
+      return visit.template operator()<InSphere<3>>();
+  }
+  std::abort();
+}
+
+/// The i-th of the queries whose points stand one after the other.
+template <class Formula>
+Query<Formula> query_at(std::span<const Point<Formula::dimension>> points, std::size_t i) {
+  Query<Formula> query;
+  std::copy_n(points.begin() + i * Formula::points, Formula::points, query.begin());
+  return query;
+}
+
+}  // namespace tribunal::bench

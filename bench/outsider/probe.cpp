@@ -1,0 +1,57 @@
+#include "bench/outsider/probe.hpp"
+
+#include "algorithms/plugin/loader.hpp"
+#include "bench/outsider/printable.hpp"
+#include "predicates/plugin/loader.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string_view>
+
+namespace tribunal::bench {
+namespace {
+using nlohmann::json;
+
+constexpr std::string_view exception_mark = "exception: ";
+
+json about(const auto& offer) {
+  return {printable(offer.name()), printable(offer.cites()), printable(offer.summary())};
+}
+
+std::optional<OfferAbout> read_about(const json& value) {
+  if (value.is_null()) return std::nullopt;
+  return OfferAbout{value.at(0), value.at(1), value.at(2)};
+}
+
+/// In the child.
+std::string look(const std::string& path) {
+  const SharedLibrary library(path);
+  json seen{{"predicates", nullptr}, {"triangulator", nullptr}, {"offered", json::array()}};
+  if (const auto predicates = PredicatePlugin::load(library)) {
+    seen["predicates"] = about(*predicates);
+    for (const Predicate predicate : all_predicates)
+      if (predicates->offers(predicate)) seen["offered"].push_back(static_cast<int>(predicate));
+  }
+  if (const auto triangulator = TriangulatorPlugin::load(library))
+    seen["triangulator"] = about(*triangulator);
+  return seen.dump();
+}
+
+}  // namespace
+
+PluginAbout probe_plugin(const std::string& path, const Limits& limits) {
+  const Ending ending = run_sandboxed([&] { return look(path); }, limits);
+  if (ending.outcome != Outcome::ok) {
+    if (ending.reason.starts_with(exception_mark))
+      throw PluginError(ending.reason.substr(exception_mark.size()));
+    throw PluginError(path + ": fails when it is loaded: " + ending.reason);
+  }
+  const json seen = json::parse(ending.result);
+  PluginAbout plugin{read_about(seen["predicates"]), read_about(seen["triangulator"]), {}};
+  for (const int predicate : seen["offered"]) plugin.offered.push_back(static_cast<Predicate>(predicate));
+  if (!plugin.predicates && !plugin.triangulator)
+    throw PluginError(path + ": defines neither tribunal_predicates_entry nor tribunal_triangulator_entry");
+  return plugin;
+}
+
+}  // namespace tribunal::bench

@@ -1,0 +1,27 @@
+// A first look at a plug-in, from a safe distance.
+#pragma once
+
+#include "bench/sandbox.hpp"
+#include "predicates/predicate.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tribunal::bench {
+
+/// What an offer says of itself, as printable text.
+struct OfferAbout {
+  std::string name, cites, summary;
+};
+
+struct PluginAbout {
+  std::optional<OfferAbout> predicates, triangulator;  ///< at least one
+  std::vector<Predicate> offered;
+};
+
+/// Loads the library in a child and reads what it offers. Throws PluginError, one line that names the file,
+/// when it cannot be loaded, offers nothing, is of another version, or dies or hangs on the way.
+PluginAbout probe_plugin(const std::string& path, const Limits& limits);
+
+}  // namespace tribunal::bench

@@ -1,0 +1,24 @@
+// What a run of the micro benchmark looks like: as JSON and as tables.
+#pragma once
+
+#include "bench/micro/goals.hpp"
+#include "bench/micro/predicate_bench.hpp"
+#include "cli/console.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <span>
+
+namespace tribunal::cli {
+
+/// As cli/schemas/bench.schema.json says.
+nlohmann::json bench_document(const bench::PredicateBenchOptions& plan,
+                              std::span<const bench::MicroCell> cells,
+                              std::span<const bench::MeasuredGoal> goals);
+
+/// Per predicate a table of times, subjects by families, and the shares of deciding stages where several
+/// decide; then the ratios aimed at.
+void print_bench(Console& console, const bench::PredicateBenchOptions& plan,
+                 std::span<const bench::MicroCell> cells, std::span<const bench::MeasuredGoal> goals);
+
+}  // namespace tribunal::cli
