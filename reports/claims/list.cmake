@@ -16,6 +16,14 @@ set(tribunal_claims
     T6-sorted
     N-log-N
     F-double
-    P-exact
+    P1
+    P2
+    P3
+    P4
+    P5
+    P6
     P-knuth-printed
-    P-kettner)
+    P-kettner
+    P7
+    P8
+    P9)

@@ -50,12 +50,13 @@ std::string subtitle(const ReportInput& input) {
   return text;
 }
 
-constexpr std::array<std::array<const char*, 2>, 8> contents{{{"verdicts", "Verdicts"},
+constexpr std::array<std::array<const char*, 2>, 9> contents{{{"verdicts", "Verdicts"},
                                                               {"claims", "Claims"},
                                                               {"outcomes", "Outcomes"},
                                                               {"tau", "Triangles"},
                                                               {"scaling", "Scaling"},
                                                               {"maps", "Sign maps"},
+                                                              {"timings", "Timings"},
                                                               {"failures", "Failures"},
                                                               {"provenance", "Provenance"}}};
 
@@ -87,7 +88,8 @@ std::string scripts() {
 std::string page(const ReportInput& input) {
   return head() + "<body>\n" + header(input) + "<main>\n" + verdict_strip(input) + claims_section(input) +
          outcomes_section(input) + tau_section(input) + scaling_section(input) + sign_maps_section(input) +
-         failures_section(input) + provenance_section(input) + "</main>\n" + scripts() + "</body>\n</html>\n";
+         predicate_timings_section(input) + failures_section(input) + provenance_section(input) +
+         "</main>\n" + scripts() + "</body>\n</html>\n";
 }
 
 }  // namespace tribunal::reports

@@ -25,6 +25,9 @@ std::string scaling_section(const ReportInput& input);
 /// Where each backend errs on a grid of neighbouring doubles.
 std::string sign_maps_section(const ReportInput& input);
 
+/// Backend x family of queries: what a query costs, by predicate.
+std::string predicate_timings_section(const ReportInput& input);
+
 /// Every kind of failure with an example and its command.
 std::string failures_section(const ReportInput& input);
 
