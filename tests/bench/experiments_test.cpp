@@ -170,5 +170,21 @@ TEST(KnuthPrinted, CarryIsWrongMoreOftenNearZero) {
   EXPECT_EQ(near.counters.at("wrong.corrected"), 0);
 }
 
+TEST(PredicateTiming, TimesWhatIsRight) {
+  const std::string rest = "'\nn=300\nparameters={predicate='insphere',family='degF'}\n";
+  const Row right = run_one("experiment='predicate-timing'\nbackend='gmp" + rest);
+  EXPECT_EQ(right.outcome, "ok");
+  EXPECT_EQ(right.counters,
+            (std::map<std::string, double>{{"queries", 300}, {"wrong", 0}, {"stage.exact", 300}}));
+  EXPECT_FALSE(right.seconds.empty());
+  const Row wrong = run_one("experiment='predicate-timing'\nbackend='double" + rest);
+  EXPECT_EQ(wrong.outcome, "ok");
+  EXPECT_GT(wrong.counters.at("wrong"), 0);
+  EXPECT_TRUE(wrong.seconds.empty());
+  const Row refused = run_one("experiment='predicate-timing'\nbackend='knuth" + rest);
+  EXPECT_EQ(refused.outcome, "out_of_domain");
+  EXPECT_FALSE(refused.reason.empty());
+}
+
 }  // namespace
 }  // namespace tribunal::bench

@@ -29,6 +29,13 @@ std::vector<bench::Row> made_up_rows() {
   rows.push_back(
       run_row("sign-map", 0, 1, {{"wrong", 2}, {"false_zero", 2}, {"inverted", 0}, {"false_nonzero", 0}}));
   rows.back().texts = {{"signs", "+[6]0[4]-[6]"}, {"exact", "+[8]-[8]"}};
+  for (const char* backend : {"double", "filtered"}) {
+    rows.push_back(run_row("predicate-timing", 1000, 1,
+                           {{"queries", 1000}, {"wrong", backend == std::string("double") ? 170.0 : 0.0}}));
+    rows.back().cell.backend = backend;
+    rows.back().cell.parameters = {{"predicate", "orient2d"}, {"family", "near"}};
+    if (backend == std::string("filtered")) rows.back().seconds = {1.8e-5, 1.9e-5, 2.0e-5};
+  }
   return rows;
 }
 

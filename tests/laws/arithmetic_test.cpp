@@ -6,6 +6,7 @@
 #include "predicates/arithmetic/fixed_integer.hpp"
 #include "predicates/filters/static.hpp"
 #include "predicates/sign.hpp"
+#include "tests/laws/kernels.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>

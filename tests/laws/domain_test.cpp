@@ -94,6 +94,92 @@ TEST(KnuthDomain, IsExactAtTheCornersOfTheWidestBox) {
       }
 }
 
+TEST(Knuth64Domain, ABoxOfWidth2To30Minus1IsTheWidest) {
+  constexpr double width = 0x1p30 - 1;
+  for (const double offset : {0.0, -0x1p29, 0x1p52}) {
+    EXPECT_FALSE(refusal("knuth64", {{{offset, offset}}, {{offset + width, offset + width}}}));
+    const auto refused = refusal("knuth64", {{{offset, 0}}, {{offset + width + 1, 0}}});
+    ASSERT_TRUE(refused);
+    EXPECT_EQ(refused->point, 1u);
+    EXPECT_NE(refused->reason.find("wider than 1073741823"), std::string::npos) << refused->reason;
+  }
+}
+
+TEST(Knuth64Domain, IsExactAtTheCornersOfTheWidestBox) {
+  constexpr double width = 0x1p30 - 1;
+  std::vector<Point2> corners;
+  for (const double x : {0.0, 1.0, width - 1, width})
+    for (const double y : {0.0, 1.0, width - 1, width}) corners.push_back({{x, y}});
+  const auto kernel = bind<2>(*find_backend("knuth64"), corners),
+             truth = bind<2>(*find_backend("gmp"), corners);
+  for (const auto& a : corners)
+    for (const auto& b : corners)
+      for (const auto& c : corners) {
+        ASSERT_EQ(kernel->orient2d(a, b, c), truth->orient2d(a, b, c));
+        for (const auto& d : corners) ASSERT_EQ(kernel->incircle(a, b, c, d), truth->incircle(a, b, c, d));
+      }
+}
+
+TEST(RedundantDomain, IsThatOfALatticeOf53Bits) {
+  EXPECT_FALSE(refusal("redundant", {{{0, 0}}, {{0x1p53 - 1, 1}}}));
+  EXPECT_TRUE(refusal("redundant", {{{0, 0}}, {{0x1p53, 1}}}));
+  EXPECT_FALSE(refusal("redundant", {{{0x1p-1022, 0}}, {{0, 0x1p-1000}}}));
+}
+
+/// Digits and carries are stretched most where all differences have all their bits set.
+TEST(RedundantDomain, IsExactAtTheCornersOfTheWidestBoxInSpace) {
+  for (const double width : {0x1p28 - 1, 0x1p53 - 1}) {
+    std::vector<Point3> corners;
+    for (const double x : {0.0, width - 1, width})
+      for (const double y : {0.0, width})
+        for (const double z : {0.0, 1.0, width}) corners.push_back({{x, y, z}});
+    const auto kernel = bind<3>(*find_backend("redundant"), corners);
+    Random random(28);
+    for (int i = 0; i < 20000; ++i) {
+      Case<3> points{};
+      for (auto& p : points) p = corners[random.below(corners.size())];
+      ASSERT_EQ(orient(*kernel, points), true_orient<3>(points)) << hexadecimal<3>(points);
+      ASSERT_EQ(in_sphere(*kernel, points), true_in_sphere<3>(points)) << hexadecimal<3>(points);
+    }
+  }
+}
+
+TEST(FixedDomain, TheWindowOfExponentsIs125Wide) {
+  for (const double unit : {0x1p-1074, 1.0, 0x1p890}) {
+    EXPECT_FALSE(refusal("fixed", {{{unit, -unit}}, {{0, 0x1.8p124 * unit}}}));
+    const auto refused = refusal("fixed", {{{unit, 0}}, {{0x1p125 * unit, 0}}, {{1e300, 1e-300}}});
+    ASSERT_TRUE(refused);
+    EXPECT_EQ(refused->point, 1u);
+  }
+  const auto kernel = bind<2>(*find_backend("fixed"), {{{1, 0}}, {{0x1p20, 0}}});
+  EXPECT_TRUE(kernel->admits({{0x1p20 + 1, -7}}));
+  EXPECT_FALSE(kernel->admits({{0.5, 1}})) << "finer than the window";
+  EXPECT_FALSE(kernel->admits({{0x1p21, 1}})) << "beyond it";
+}
+
+/// Opposite ends of the window: differences of 126 bits, in-sphere determinants of 636.
+TEST(FixedDomain, IsExactAtTheEndsOfTheWindow) {
+  const std::vector<double> values{0x1.fffffffffffffp124, -0x1.fffffffffffffp124, 1, -1, 0x1p62, 0};
+  const auto kernel = bind<3>(*find_backend("fixed"), {{{values[0], values[2], 0}}});
+  Random random(126);
+  for (int i = 0; i < 20000; ++i) {
+    Case<3> points{};
+    for (auto& p : points) p = draw_point<3>([&] { return values[random.below(values.size())]; });
+    ASSERT_EQ(orient(*kernel, points), true_orient<3>(points)) << hexadecimal<3>(points);
+    ASSERT_EQ(in_sphere(*kernel, points), true_in_sphere<3>(points)) << hexadecimal<3>(points);
+  }
+}
+
+/// Single precision has 24 bits for a coordinate: two points become one, and a far one becomes infinite.
+TEST(FloatDomain, CoordinatesAreRoundedToSinglePrecision) {
+  const std::vector<Point2> points{{{0x1p24, 0}}, {{0x1p24 + 1, 1}}, {{0, 3}}, {{0x1p24, 1}}};
+  const auto kernel = bind<2>(*find_backend("float"), points);
+  EXPECT_EQ(kernel->orient2d(points[1], points[2], points[3]), Sign::zero);
+  EXPECT_NE(true_orient<2>({points[1], points[2], points[3], points[0]}), Sign::zero);
+  EXPECT_EQ(kernel->orient2d(points[0], {{0x1p200, 0x1p200}}, points[3]), Sign::zero)
+      << "inf - inf has no sign";
+}
+
 TEST(FortuneVanWykDomain, DifferencesOf53BitsAreTheLongest) {
   const double most = 0x1p53 - 1;
   EXPECT_FALSE(refusal("fortune-van-wyk", {{{0, 0}}, {{most, 1}}}));
@@ -135,7 +221,8 @@ TEST(FortuneVanWykDomain, OnlyLatticePointsOfTheBoxAreAdmitted) {
 TEST(UnboundedDomain, AnyFiniteDoublesAreAccepted) {
   const double largest = std::numeric_limits<double>::max(),
                least = std::numeric_limits<double>::denorm_min();
-  for (const std::string_view name : {"double", "double-fma", "filtered", "gmp"})
+  for (const std::string_view name :
+       {"double", "double-fma", "float", "long-double", "interval", "adaptive", "filtered", "gmp"})
     EXPECT_FALSE(refusal(name, {{{-largest, least}}, {{largest, -least}}, {{-0.0, 0.1}}}));
 }
 

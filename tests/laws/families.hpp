@@ -135,6 +135,24 @@ std::vector<Case<D>> exponent_cases(int count, int lowest, int highest, Random& 
   });
 }
 
+/// Signed zeros, the ends of the ranges of subnormal and of normal doubles, and powers of two with their
+/// neighbours.
+template <int D>
+std::vector<Case<D>> special_cases(int count, Random& random) {
+  std::vector<double> values{
+      0.0, 0x1p-1074, 0x1p-1073, 0x0.fffffffffffffp-1022, 0x1p-1022, 0x1.fffffffffffffp1023};
+  for (const int exponent : {-1000, -511, -1, 0, 1, 52, 53, 511, 1022})
+    for (const double neighbour : {0x1.fffffffffffffp-1, 1.0, 0x1.0000000000001p0})
+      values.push_back(std::ldexp(neighbour, exponent));
+  return draw_cases<D>(count, [&] {
+    const double scarce = values[random.below(values.size())];  // so that points have coordinates in common
+    return draw_point<D>([&] {
+      const double value = random.below(2) == 0 ? scarce : values[random.below(values.size())];
+      return random.below(2) == 0 ? value : -value;
+    });
+  });
+}
+
 /// Integers below 2^14: the domain that all backends share.
 template <int D>
 Family<D> shared_domain(int count, std::uint64_t seed) {
@@ -174,6 +192,7 @@ std::vector<Family<D>> families() {
         exponent_cases<D>(2000, -1100 / degree, -980 / degree, random));
   add("subnormal", exponent_cases<D>(2000, -1074, -1020, random));
   add("near overflow", exponent_cases<D>(2000, 1000, 1023, random));
+  add("special values", special_cases<D>(4000, random));
   return all;
 }
 

@@ -87,11 +87,12 @@ TEST(Kettner, ContractionChangesTheFigures) {
   EXPECT_EQ(failures->false_zeros + failures->inverted + failures->false_nonzeros, 4911);
 }
 
-/// The grid is 2^-53 fine and 24 wide, 58 bits: beyond what fortune-van-wyk accepts, and beyond knuth by far.
+/// The grid is 2^-53 fine and 24 wide, 58 bits: beyond what fortune-van-wyk and redundant accept, and beyond
+/// knuth by far.
 TEST(Kettner, ExactBackendsDoNotFail) {
-  for (const std::string_view name : {"filtered", "gmp"})
+  for (const std::string_view name : {"interval", "adaptive", "filtered", "fixed", "gmp"})
     EXPECT_EQ(count_failures(*find_backend(name), maps[0], 0), Failures{}) << name;
-  for (const std::string_view name : {"fortune-van-wyk", "knuth"})
+  for (const std::string_view name : {"fortune-van-wyk", "redundant", "knuth", "knuth64"})
     EXPECT_EQ(count_failures(*find_backend(name), maps[0], 0), std::nullopt) << name;
 }
 

@@ -1,10 +1,12 @@
-// Laws: the redundant sign test is exact for all factors below 2^29; as printed it is not, and each misprint
-// has its witness.
+// Laws: the redundant sign test is exact for all factors below 2^29, or 2^61 in 64-bit words, and so are
+// redundant numbers of more digits; as printed the test is not, and each misprint has its witness.
 #include "datasets/random.hpp"
 #include "predicates/arithmetic/redundant_as_printed.hpp"
 #include "predicates/arithmetic/redundant_integer.hpp"
+#include "predicates/arithmetic/redundant_number.hpp"
 #include "tests/laws/kernels.hpp"
 
+#include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -16,14 +18,16 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-Sign true_sign(const Triple& x, const Triple& y) {
+/// Of 61-bit factors, too: the sum has 124 bits.
+template <class Word>
+Sign true_sign(const Triple<Word>& x, const Triple<Word>& y) {
   Wide sum = 0;
   for (int i = 0; i < 3; ++i) sum += static_cast<Wide>(x[i]) * y[i];
   return static_cast<Sign>((sum > 0) - (sum < 0));
 }
 
 struct Factors {
-  Triple x, y;
+  Triple<std::int32_t> x, y;
 };
 
 /// Signed x and y >= 0 below 2^bits.
@@ -66,20 +70,115 @@ TEST(RedundantInteger, IsExactOnUniformAndOnCancellingFactors) {
           << f.x[0] << " " << f.x[1] << " " << f.x[2] << ", " << f.y[0] << " " << f.y[1] << " " << f.y[2];
 }
 
-/// Every combination of extreme factors: the digits come within 2^17 of overflowing 32 bits.
-TEST(RedundantInteger, IsExactAtTheEndsOfItsRange) {
-  constexpr std::int32_t most = (1 << 29) - 1;
-  constexpr std::array<std::int32_t, 8> values{-most, -most + 1, -(1 << 14), -1, 0, 1, (1 << 28) - 1, most};
-  Triple x{}, y{};
+/// Every combination of extreme factors: the digits come within a few carries of overflowing their words.
+template <class Word>
+void is_exact_at_the_ends() {
+  constexpr int d = RedundantInteger<Word>::digit_bits;
+  constexpr Word most = RedundantInteger<Word>::factor_limit - 1;
+  constexpr std::array<Word, 8> values{-most, -most + 1, -(Word{1} << d),        -1,
+                                       0,     1,         (Word{1} << 2 * d) - 1, most};
+  Triple<Word> x{}, y{};
   for (int code = 0; code < 8 * 8 * 8 * 8 * 8 * 8; ++code) {
     for (int i = 0, rest = code; i < 3; ++i, rest /= 64) x[i] = values[rest % 8], y[i] = values[rest / 8 % 8];
     ASSERT_EQ(sign_of_dot_product(x, y), true_sign(x, y));
   }
 }
+TEST(RedundantInteger, IsExactAtTheEndsOfItsRange) {
+  is_exact_at_the_ends<std::int32_t>();
+  is_exact_at_the_ends<std::int64_t>();
+}
+
+TEST(RedundantInteger, IsExactIn64BitWords) {
+  using Factors64 = Triple<std::int64_t>;
+  Random random(61);
+  const auto draw = [&] {
+    const auto magnitude =
+        static_cast<std::int64_t>(random.below(std::uint64_t{1} << (1 + random.below(61))));
+    return random.below(2) == 0 ? magnitude : -magnitude;
+  };
+  for (int i = 0; i < 300000; ++i) {
+    Factors64 x{draw(), draw(), draw()}, y{draw(), draw(), draw()};
+    if (y[2] != 0 && i % 2 == 0) {  // the third product cancels the others but for a remainder
+      const Wide quotient = -(static_cast<Wide>(x[0]) * y[0] + static_cast<Wide>(x[1]) * y[1]) / y[2];
+      const Wide limit = RedundantInteger<std::int64_t>::factor_limit;
+      if (-limit < quotient && quotient < limit) x[2] = static_cast<std::int64_t>(quotient);
+    }
+    ASSERT_EQ(sign_of_dot_product(x, y), true_sign(x, y));
+  }
+}
+
+/// Orientation in space is one such sum too: 2x2 minors times differences in z. (Only insphere takes more
+/// digits.)
+template <class Word>
+void orients_tetrahedra() {
+  Random random(3);
+  constexpr std::uint64_t size = std::uint64_t{1} << RedundantInteger<Word>::digit_bits;
+  for (int i = 0; i < 20000; ++i) {
+    const std::uint64_t range = i % 2 == 0 ? size : 4;
+    Case<3> p{};
+    for (auto& point : p) point = draw_point<3>([&] { return static_cast<double>(random.below(range)); });
+    std::array<Triple<Word>, 3> v{};  // differences from the first
+    for (int k = 0; k < 3; ++k)
+      for (int axis = 0; axis < 3; ++axis) v[k][axis] = static_cast<Word>(p[k + 1][axis] - p[0][axis]);
+    const auto minor = [&](int k, int l) { return v[k][0] * v[l][1] - v[k][1] * v[l][0]; };
+    const Triple<Word> minors{minor(1, 2), minor(2, 0), minor(0, 1)}, heights{v[0][2], v[1][2], v[2][2]};
+    ASSERT_EQ(sign_of_dot_product(minors, heights), true_orient<3>(p)) << hexadecimal<3>(p);
+  }
+}
+TEST(RedundantInteger, OrientsTetrahedraAtTheBitsOfThePlane) {
+  orients_tetrahedra<std::int32_t>();
+  orients_tetrahedra<std::int64_t>();
+}
+
+using Integer = boost::multiprecision::cpp_int;
+
+template <int D, std::uint64_t B>
+Integer to_oracle(const RedundantNumber<D, B>& a) {
+  Integer value = 0;
+  for (int i = D - 1; i >= 0; --i) value = (value << redundant_digit_bits) + a.digit[i];
+  return value;
+}
+
+template <int D, std::uint64_t B>
+void keeps_its_bound(const RedundantNumber<D, B>& a) {
+  for (const std::int64_t digit : a.digit)
+    ASSERT_LE(static_cast<std::uint64_t>(digit < 0 ? -digit : digit), B);
+}
+
+/// Sums and products are those of integers, and no digit exceeds what its type says, so that none ever
+/// overflows.
+TEST(RedundantNumber, IsTheRingOfIntegersWithinItsBounds) {
+  Random random(53);
+  const auto draw = [&] {
+    const std::int64_t extremes[] = {0, 1, (std::int64_t{1} << 53) - 1, std::int64_t{1} << 52, (1 << 28) - 1};
+    const auto magnitude = random.below(2) == 0
+                               ? extremes[random.below(5)]
+                               : static_cast<std::int64_t>(random.below(std::uint64_t{1} << 53));
+    return random.below(2) == 0 ? magnitude : -magnitude;
+  };
+  for (int i = 0; i < 20000; ++i) {
+    const std::int64_t a = draw(), b = draw(), c = draw(), d = draw();
+    const auto x = to_redundant<2>(a), y = to_redundant<2>(b), z = to_redundant<2>(c), t = to_redundant<2>(d);
+    const auto minor = x * y - z * t;
+    const auto cubic = minor * z + minor * t;
+    const auto quintic = cubic * minor - minor * cubic * to_redundant<1>(3);
+    const Integer exact_minor = Integer(a) * b - Integer(c) * d,
+                  exact_cubic = exact_minor * c + exact_minor * d;
+    const Integer exact_quintic = -2 * exact_cubic * exact_minor;
+    ASSERT_EQ(to_oracle(minor), exact_minor);
+    ASSERT_EQ(to_oracle(cubic), exact_cubic);
+    ASSERT_EQ(to_oracle(quintic), exact_quintic);
+    keeps_its_bound(minor);
+    keeps_its_bound(cubic);
+    keeps_its_bound(quintic);
+    ASSERT_EQ(sign_of(quintic), static_cast<Sign>(exact_quintic.sign()));
+    ASSERT_EQ(sign_of(x * y - y * x), Sign::zero);
+  }
+}
 
 /// The text bounds all digits by 2^29 for 28-bit factors; b of two products goes beyond.
 TEST(RedundantInteger, MiddleDigitExceedsTheRangeStatedInTheText) {
-  RedundantInteger sum;
+  RedundantInteger<std::int32_t> sum;
   constexpr std::int32_t largest = (1 << 28) - 1;
   sum.add_product(1, largest, largest);
   sum.add_product(1, largest, largest);
@@ -87,8 +186,8 @@ TEST(RedundantInteger, MiddleDigitExceedsTheRangeStatedInTheText) {
   EXPECT_GT(sum.b, 1 << 29);
 }
 
-constexpr Triple overwriting_x{-1, -1, 1}, overwriting_y{0, 1, 1};
-constexpr Triple carrying_x{19317, 1444, -18836}, carrying_y{24311, 26904, 14696};
+constexpr Triple<std::int32_t> overwriting_x{-1, -1, 1}, overwriting_y{0, 1, 1};
+constexpr Triple<std::int32_t> carrying_x{19317, 1444, -18836}, carrying_y{24311, 26904, 14696};
 
 TEST(PrintedProgram, OverwritingTheSumsGivesAZeroASign) {
   EXPECT_EQ(true_sign(overwriting_x, overwriting_y), Sign::zero);

@@ -50,6 +50,9 @@ bool starts_with_any(const std::string& text, const std::vector<std::string>& pr
   return std::any_of(prefixes.begin(), prefixes.end(), [&](const auto& p) { return text.rfind(p, 0) == 0; });
 }
 
+/// Examples are an outsider's, who has copied a header.
+bool is_example(const Source& source) { return source.path.find("/examples/") != std::string::npos; }
+
 TEST(Architecture, ArrowsRunDownwards) {
   const std::map<std::string, std::vector<std::string>> may_include{
       {"predicates", {"predicates/"}},
@@ -63,6 +66,7 @@ TEST(Architecture, ArrowsRunDownwards) {
     std::size_t seen = 0;
     for (const Source& source : sources_of(room))
       for (const std::string& include : source.includes) {
+        if (is_example(source)) continue;
         ++seen;
         EXPECT_TRUE(starts_with_any(include, may_include.at(room))) << source.path << " includes " << include;
         EXPECT_TRUE(fs::exists(root / include))
@@ -80,6 +84,34 @@ TEST(Architecture, TheCheckerSharesNoCodeWithWhatItChecks) {
           << source.path << " includes " << include;
 }
 
+/// What outsiders can do without this project's code, examples and peers do.
+TEST(Architecture, OutsidersSeeThePluginHeadersOnly) {
+  const std::vector<std::string> headers{"predicates/plugin/tribunal_predicates.h",
+                                         "algorithms/plugin/tribunal_triangulator.h"};
+  for (const std::string& header : headers)
+    EXPECT_EQ(read(root / header).find("#include \""), std::string::npos);
+  std::size_t examples = 0, peers = 0;
+  for (const std::string room : rooms)
+    for (const Source& source : sources_of(room))
+      if (is_example(source)) {
+        ++examples;
+        EXPECT_EQ(source.includes.size(), 1U) << source.path << " needs one header alone";
+      }
+  const std::string list = read(root / "algorithms/peers/list.def");
+  for (const Source& source : sources_of("algorithms/peers")) {
+    for (const std::string& include : source.includes)
+      EXPECT_TRUE(include.rfind("algorithms/peers/", 0) == 0 ||
+                  std::find(headers.begin(), headers.end(), include) != headers.end())
+          << source.path << " includes " << include;
+    if (fs::path(source.path).extension() != ".cpp") continue;
+    ++peers;
+    EXPECT_NE(list.find("PEER(" + fs::path(source.path).stem().string() + ")"), std::string::npos)
+        << source.path << " is not listed";
+  }
+  EXPECT_GE(examples, 1U);
+  EXPECT_GE(peers, 2U);
+}
+
 TEST(Architecture, MeshFilesDecideNothing) {
   for (const Source& source : sources_of("algorithms/mesh"))
     for (const std::string& include : source.includes)
@@ -88,11 +120,10 @@ TEST(Architecture, MeshFilesDecideNothing) {
 
 /// Listed files stand side by side: what two of them share is an unlisted file.
 TEST(Architecture, BackendsDoNotIncludeEachOther) {
-  const std::string list = "predicates/backends/list.cpp";
+  const std::string list = "predicates/backends/all.hpp";
   std::set<std::string> listed;
   for (const Source& source : sources_of("predicates/backends"))
     if (source.path == list) listed.insert(source.includes.begin(), source.includes.end());
-  listed.erase("predicates/backends/list.hpp");
   ASSERT_GE(listed.size(), 7U);
   for (const Source& source : sources_of("predicates/backends"))
     for (const std::string& include : source.includes)
@@ -109,9 +140,10 @@ TEST(Architecture, EntriesAreListed) {
   const auto include = [](const fs::path& path) { return "#include \"" + path.string() + "\""; };
   const auto stem = [](const fs::path& path) { return "(" + path.stem().string() + ")"; };
   const std::array folders{
-      Folder{"predicates/backends", "BackendAbout about{", "predicates/backends/list.cpp", include},
+      Folder{"predicates/backends", "BackendAbout about{", "predicates/backends/all.hpp", include},
       Folder{"algorithms/planar", "constinit const PlanarAlgorithm", "algorithms/planar/list.def", stem},
       Folder{"datasets/generators", "constinit const Dataset", "datasets/generators/list.def", stem},
+      Folder{"datasets/queries", "constinit const QueryFamily", "datasets/queries/list.def", stem},
       Folder{"bench/experiments", "constinit const Experiment", "bench/experiments/list.def", stem},
       Folder{"reports/judges", "constinit const Judge", "reports/judges/list.def", stem},
   };

@@ -83,5 +83,55 @@ TEST(SignMapCounts, equality_is_exact) {
   EXPECT_EQ(try_rule("sign-map-counts", rule, {map_row(11300)}).verdict, Verdict::inconclusive);
 }
 
+bench::Row counted(const std::string& backend, int bits, std::map<std::string, double> counters) {
+  bench::Row row = run_row("counting", 10, 1, std::move(counters));
+  row.cell.backend = backend;
+  row.cell.bits = bits;
+  row.cell.parameters = {{"kind", "even"}};
+  return row;
+}
+
+TEST(Counters, every_relation_must_hold) {
+  const std::vector rows{counted("a", 8, {{"wrong", 2}, {"queries", 10}}),
+                         counted("b", 8, {{"wrong", 0}, {"queries", 10}})};
+  const auto verdict = [&](nlohmann::json hold) {
+    return try_rule("counters", {{"hold", {std::move(hold)}}}, rows).verdict;
+  };
+  EXPECT_EQ(verdict({{"counter", "wrong"}, {"equals", 2}}), Verdict::reproduced);
+  EXPECT_EQ(verdict({{"counter", "wrong"}, {"equals", 1}}), Verdict::refuted);
+  EXPECT_EQ(verdict({{"counter", "wrong"}, {"least", 2}}), Verdict::reproduced);
+  EXPECT_EQ(verdict({{"counter", "wrong"}, {"least", 2.5}}), Verdict::refuted);
+  EXPECT_EQ(verdict({{"counter", "wrong"}, {"most", 2}}), Verdict::reproduced);
+  EXPECT_EQ(verdict({{"counter", "wrong"}, {"most", 1.5}}), Verdict::refuted);
+  EXPECT_EQ(verdict({{"counter", "wrong"}, {"per", "queries"}, {"equals", 0.1}}), Verdict::reproduced);
+  EXPECT_EQ(verdict({{"counter", "wrong"}, {"least", 1}, {"most", 1}}), Verdict::refuted);
+}
+
+TEST(Counters, selectors_choose_the_rows_that_are_summed) {
+  const std::vector rows{counted("a", 8, {{"wrong", 2}}), counted("a", 9, {{"wrong", 3}}),
+                         counted("b", 8, {{"wrong", 5}})};
+  const auto equals = [&](nlohmann::json selected, double sum) {
+    selected.update({{"counter", "wrong"}, {"equals", sum}});
+    return try_rule("counters", {{"hold", {std::move(selected)}}}, rows).verdict == Verdict::reproduced;
+  };
+  EXPECT_TRUE(equals({{"backend", "a"}}, 5));
+  EXPECT_TRUE(equals({{"bits", 8}}, 7));
+  EXPECT_TRUE(equals({{"backend", "a"}, {"bits", 9}}, 3));
+  EXPECT_TRUE(equals({{"kind", "even"}, {"task", "counting"}}, 10));
+  EXPECT_FALSE(equals({{"backend", "a"}}, 10));
+}
+
+/// A relation about nothing holds for nothing: a misspelt selector must not make a claim come out.
+TEST(Counters, no_matching_rows_are_no_verdict) {
+  const std::vector rows{counted("a", 8, {{"wrong", 0}})};
+  const auto verdict = [&](nlohmann::json entry) {
+    return try_rule("counters", {{"hold", {std::move(entry)}}}, rows).verdict;
+  };
+  EXPECT_EQ(verdict({{"counter", "wrong"}, {"backend", "c"}, {"equals", 0}}), Verdict::inconclusive);
+  EXPECT_EQ(verdict({{"counter", "wrong"}, {"kin", "even"}, {"equals", 0}}), Verdict::inconclusive);
+  EXPECT_EQ(verdict({{"counter", "wrong"}, {"per", "queries"}, {"equals", 0}}), Verdict::inconclusive);
+  EXPECT_EQ(verdict({{"counter", "wrong"}}), Verdict::inconclusive);
+}
+
 }  // namespace
 }  // namespace tribunal::reports

@@ -125,6 +125,27 @@ TEST(Page, survives_hostile_strings_everywhere) {
   EXPECT_EQ(html.find('\xFF'), std::string::npos);
 }
 
+bench::Row timing_row(const char* backend, double wrong, std::vector<double> seconds) {
+  bench::Row row = run_row("predicate-timing", 1000, 1, {{"queries", 1000}, {"wrong", wrong}});
+  row.cell.backend = backend;
+  row.cell.parameters = {{"predicate", "incircle"}, {"family", "degF"}};
+  row.seconds = std::move(seconds);
+  return row;
+}
+
+TEST(Page, shows_no_time_of_wrong_signs) {
+  Fixture fixture;
+  fixture.rows.push_back(timing_row("adroit", 0, {2e-6, 4e-6, 3e-6}));
+  fixture.rows.push_back(timing_row("hasty", 250, {}));
+  fixture.rows.push_back(timing_row("shy", 0, {}));
+  fixture.rows.back().outcome = "out_of_domain";
+  const std::string html = fixture.html();
+  EXPECT_NE(html.find("<td>adroit</td><td class=\"number\">3.00</td>"), std::string::npos);
+  EXPECT_NE(html.find("<td>hasty</td><td class=\"number\">!0.25</td>"), std::string::npos);
+  EXPECT_NE(html.find("<td>shy</td><td class=\"absent\">refused</td>"), std::string::npos);
+  EXPECT_EQ(unbalanced(own_part(html)), "");
+}
+
 TEST(Page, of_nothing_is_a_page_too) {
   const std::string html = page({nullptr, {}, {}});
   EXPECT_EQ(unbalanced(own_part(html)), "");
