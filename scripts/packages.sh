@@ -1,12 +1,14 @@
 # The Debian packages each script needs, and how they are installed. Sourced by quickstart and check.
 
-# What the program needs, and what its tests need beside it: libcgal-dev is an outside oracle.
+# What the program needs, and what its tests need beside it. CGAL is no part of the program: it makes the peers, and is an
+# outside oracle of the tests.
 core_packages=(
   g++ cmake ninja-build pkg-config
   libgmp-dev libsqlite3-dev libpng-dev
-  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
+  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libbenchmark-dev
+  libcgal-dev
 )
-test_packages=(libgtest-dev libboost-dev libcgal-dev)
+test_packages=(libgtest-dev libboost-dev)
 full_packages=(clang-14 clang-tidy-14 clang-format-14 libclang-rt-14-dev)
 
 # install_packages PACKAGE...: installs what is missing, says so, and fails with what to type when it may not.
