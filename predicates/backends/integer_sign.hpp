@@ -41,18 +41,17 @@ constexpr BoundedInteger<Bits> operator-(const CountedCoordinate<Bits>& a, const
 template <class Formula, int Bits>
 using IntegerDeterminant = decltype(Formula::determinant(Arguments<LatticeCoordinate<Bits>, Formula>{}));
 
-/// Calls visit.operator()<Bits>() with the least step of the ladder that is no smaller than `bits` <= 62. The
+/// Calls visit.operator()<Bits>() with the least step of the ladder that is no smaller than `bits` <= 53. The
 /// steps are the coordinate sizes that Barth, section 3.7, speaks of: Knuth's 14, single precision, the
-/// redundant example's 28, truncation to 36, double precision; and what one word holds.
+/// redundant example's 28, truncation to 36, double precision.
 template <class Visitor>
 auto visit_ladder(int bits, Visitor visit) {
-  assert(bits <= 62);
+  assert(bits <= Lattice::most_bits);
   if (bits <= 14) return visit.template operator()<14>();
   if (bits <= 24) return visit.template operator()<24>();
   if (bits <= 28) return visit.template operator()<28>();
   if (bits <= 36) return visit.template operator()<36>();
-  if (bits <= 53) return visit.template operator()<53>();
-  return visit.template operator()<62>();
+  return visit.template operator()<53>();
 }
 
 /// The exact sign of the determinant of points that the lattice contains.
@@ -66,7 +65,7 @@ Sign integer_sign(const Query<Formula>& query, const Lattice& lattice) {
   });
 }
 
-/// The exact sign of the determinant of integer coordinates that differ by less than 2^bits, bits <= 62.
+/// The exact sign of the determinant of integer coordinates that differ by less than 2^bits, bits <= 53.
 template <class Formula>
 Sign integer_sign(const Arguments<std::int64_t, Formula>& counts, int bits) {
   return visit_ladder(bits, [&]<int Bits>() {
