@@ -38,15 +38,15 @@ class IntegerFrame {
   /// count.
   template <class Formula>
   bool count(const Query<Formula>& query, Arguments<std::int64_t, Formula>& counts) const {
-    bool inside = true;
+    unsigned outside = 0;  // counted, not branched on
     for (int i = 0; i < Formula::points; ++i)
       for (int axis = 0; axis < Formula::dimension; ++axis) {
         const double moved = query[i][axis] + shift_;
         counts[i][axis] = std::bit_cast<std::int64_t>(moved) - lowest_[axis];
-        inside &=
-            (moved - shift_ == query[i][axis]) & (static_cast<std::uint64_t>(counts[i][axis]) <= width_);
+        outside += moved - shift_ != query[i][axis];
+        outside += static_cast<std::uint64_t>(counts[i][axis]) > width_;
       }
-    return inside;
+    return outside == 0;
   }
 
  private:

@@ -8,11 +8,11 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
 #include <optional>
-#include <regex>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -27,15 +27,38 @@ using End = OutsiderMesh::End;
 constexpr rlim_t largest_file = rlim_t{256} << 20;
 constexpr int not_executable = 126, not_found = 127;  // exit statuses of the shell
 
-/// Puts `folder`/word.format where {word} or {word.format} stands, and returns that file's name.
+struct Placeholder {
+  std::size_t place, length;
+  std::string format;  ///< ".off"; empty where none is named
+};
+
+/// The first {word} or {word.format} from `from` on; a format is of small letters.
+std::optional<Placeholder> find_placeholder(const std::string& command, const std::string& word,
+                                            std::size_t from) {
+  const std::string opening = "{" + word;
+  for (std::size_t at = command.find(opening, from); at != std::string::npos;
+       at = command.find(opening, at + 1)) {
+    const std::size_t end = command.find('}', at), start = at + opening.size();
+    if (end == std::string::npos) return std::nullopt;
+    const std::string format = command.substr(start, end - start);
+    const bool is_format =
+        format.size() > 1 && format[0] == '.' &&
+        std::all_of(format.begin() + 1, format.end(), [](char c) { return 'a' <= c && c <= 'z'; });
+    if (format.empty() || is_format) return Placeholder{at, end + 1 - at, format};
+  }
+  return std::nullopt;
+}
+
+/// Puts `folder`/word.format wherever {word} or {word.format} stands, and returns that file's name; the first
+/// says the format.
 fs::path fill_in(std::string& command, const std::string& word, const std::string& format,
                  const fs::path& folder) {
-  const std::regex place("\\{" + word + "(\\.[a-z]+)?\\}");
-  std::smatch found;
-  if (!std::regex_search(command, found, place))
-    throw BadInput("--command " + shell_word(command) + ": it names no {" + word + "}");
-  const fs::path file = folder / (word + (found[1].matched ? found[1].str() : format));
-  command = std::regex_replace(command, place, shell_word(file.string()));
+  auto found = find_placeholder(command, word, 0);
+  if (!found) throw BadInput("--command " + shell_word(command) + ": it names no {" + word + "}");
+  const fs::path file = folder / (word + (found->format.empty() ? format : found->format));
+  const std::string name = shell_word(file.string());
+  for (; found; found = find_placeholder(command, word, found->place + name.size()))
+    command.replace(found->place, found->length, name);
   return file;
 }
 
