@@ -240,7 +240,7 @@ TEST(PowerTest, OfEqualRadiiIsTheInSphereTestInSpace) {
 TEST(PowerTest, KnowsThePowerDistanceToTheUnitCircle) {
   const std::vector<Point3> circle{{{1, 0, 0}}, {{0, 1, 0}}, {{-1, 0, 0}}};  // points, counter-clockwise
   const Point3 origin{{0, 0, 0}};
-  for_each_exact_backend<PowerTest<2>>({{{-1, 0, 0.25}}, {{3, 3, 3}}}, [&](const auto& backend) {
+  for_each_exact_backend<PowerTest<2>>({{{-1, 0, 0}}, {{0, 0, 0.25}}, {{3, 3, 3}}}, [&](const auto& backend) {
     for (double x = 0; x <= 3; x += 0.25)
       for (double radius = 0; radius <= 3; radius += 0.25) {
         const double power = x * x - 1 - radius * radius;  // exact
@@ -254,7 +254,9 @@ TEST(PowerTest, KnowsThePowerDistanceToTheUnitCircle) {
 TEST(PowerTest, IsExactForRandomWeights) {
   Random random(4);
   const auto balls = draw_points<3>(random, 3000);
-  for_each_exact_backend<PowerTest<2>>(balls, [&](const auto& backend) {
+  auto bound = balls;
+  bound.push_back({{0, 0, 0}});  // what the radii are measured from
+  for_each_exact_backend<PowerTest<2>>(bound, [&](const auto& backend) {
     for (std::size_t i = 0; i + 5 <= balls.size(); i += 5) {
       auto p = query_at<PowerTest<2>>(balls, i);
       p[4] = {{0, 0, 0}};
