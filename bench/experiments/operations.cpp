@@ -4,20 +4,15 @@
 // without a division operator nothing else would compile. Counters: `sums` (subtractions included),
 // `products`, `divisions` (0).
 #include "bench/experiments/listed.hpp"
-#include "predicates/formulas/in_sphere.hpp"
-#include "predicates/formulas/orient.hpp"
+#include "bench/experiments/name_parameters.hpp"
 #include "predicates/formulas/query.hpp"
-#include "predicates/predicate.hpp"
+#include "predicates/formulas/with_formula.hpp"
 
 #include <array>
 
 namespace tribunal::bench {
 namespace {
 
-constexpr Parameter predicate_parameter{
-    .name = "predicate", .summary = "whose determinant", .standard = "orient2d", .choices = [] {
-      return std::vector<std::string_view>(predicate_names.begin(), predicate_names.end());
-    }};
 constexpr std::array parameters{predicate_parameter};
 
 struct Operations {
@@ -47,11 +42,8 @@ constexpr bool divides = requires(Number a) {
 };
 
 Finding run_operations(const Cell& cell) {
-  const std::string predicate = choice(cell, predicate_parameter);
-  const Operations operations = predicate == "orient2d"   ? operations_of<Orient<2>>()
-                                : predicate == "incircle" ? operations_of<InSphere<2>>()
-                                : predicate == "orient3d" ? operations_of<Orient<3>>()
-                                                          : operations_of<InSphere<3>>();
+  const Operations operations =
+      with_formula(chosen_predicate(cell), []<class Formula>() { return operations_of<Formula>(); });
   static_assert(!divides<Counting>);
   return {.counters = {{"sums", operations.sums}, {"products", operations.products}, {"divisions", 0}}};
 }

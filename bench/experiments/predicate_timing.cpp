@@ -7,18 +7,14 @@
 //
 // Counters: `queries`, `wrong`, and `stage.*`, the queries decided by each stage.
 #include "bench/experiments/listed.hpp"
+#include "bench/experiments/name_parameters.hpp"
 #include "bench/micro/predicate_bench.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace tribunal::bench {
 namespace {
 
-constexpr Parameter predicate_parameter{
-    .name = "predicate", .summary = "the predicate asked", .standard = "orient2d", .choices = [] {
-      return std::vector<std::string_view>(predicate_names.begin(), predicate_names.end());
-    }};
 constexpr Parameter family_parameter{
     .name = "family", .summary = "how the queries are drawn", .standard = "uni", .choices = [] {
       std::vector<std::string_view> names;
@@ -32,9 +28,7 @@ std::vector<MicroCell> time_one(const Cell& cell) {
   PredicateBenchOptions options;
   for (Subject& subject : backend_subjects())
     if (subject.name == cell.backend) options.subjects.push_back(std::move(subject));
-  const std::string predicate = choice(cell, predicate_parameter);
-  const auto named = std::find(predicate_names.begin(), predicate_names.end(), predicate);
-  options.predicates = {static_cast<Predicate>(named - predicate_names.begin())};
+  options.predicates = {chosen_predicate(cell)};
   options.families = {find_query_family(choice(cell, family_parameter))};
   options.queries = cell.n;
   options.seed = cell.seed;

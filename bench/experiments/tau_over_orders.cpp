@@ -6,9 +6,9 @@
 //
 // Counters: `orders`, `sites`, `tau_mean`, `tau_sd`, `tau_min`, `tau_max`, `tau_with_ghosts_mean`,
 // `tau_bound` (Barth, eq. 3.3.0) and `exceeding`, the number of orders with tau > tau_bound.
-#include "algorithms/list.hpp"
 #include "algorithms/triangulate.hpp"
 #include "bench/experiments/listed.hpp"
+#include "bench/experiments/name_parameters.hpp"
 #include "bench/experiments/tau_bound.hpp"
 #include "bench/input.hpp"
 #include "bench/judge.hpp"
@@ -21,16 +21,6 @@
 namespace tribunal::bench {
 namespace {
 
-std::vector<std::string_view> algorithm_names() {
-  std::vector<std::string_view> names;
-  for (const PlanarAlgorithm& algorithm : planar_algorithms()) names.push_back(algorithm.about.name);
-  return names;
-}
-
-constexpr Parameter algorithm_parameter{.name = "algorithm",
-                                        .summary = "the incremental algorithm that inserts",
-                                        .standard = "green-sibson",
-                                        .choices = algorithm_names};
 constexpr Parameter orders_parameter{.name = "orders",
                                      .summary = "how many insertion orders",
                                      .standard = "100",
@@ -39,7 +29,7 @@ constexpr Parameter orders_parameter{.name = "orders",
 constexpr std::array parameters{algorithm_parameter, orders_parameter};
 
 Finding run_tau_over_orders(const Cell& cell) {
-  const PlanarAlgorithm& algorithm = *find_planar_algorithm(choice(cell, algorithm_parameter));
+  const PlanarAlgorithm& algorithm = chosen_algorithm(cell);
   const std::uint64_t orders = whole_number(cell, orders_parameter);
   const std::vector<Point2> points = cell_points(cell);
   const Kernel2Binding binding = cell_kernel(points, cell);

@@ -6,10 +6,10 @@
 //
 // Counters: `runs` (1), `valid` (a triangulation of the sites), `unfinished` (the algorithm gave up), `ties`
 // (zeros replaced), `delaunay` (valid as that, too).
-#include "algorithms/list.hpp"
 #include "algorithms/triangulate.hpp"
 #include "algorithms/verify/verify.hpp"
 #include "bench/experiments/listed.hpp"
+#include "bench/experiments/name_parameters.hpp"
 #include "bench/input.hpp"
 #include "datasets/random.hpp"
 
@@ -20,15 +20,6 @@
 namespace tribunal::bench {
 namespace {
 
-std::vector<std::string_view> algorithm_names() {
-  std::vector<std::string_view> names;
-  for (const PlanarAlgorithm& algorithm : planar_algorithms()) names.push_back(algorithm.about.name);
-  return names;
-}
-constexpr Parameter algorithm_parameter{.name = "algorithm",
-                                        .summary = "the algorithm that meets the ties",
-                                        .standard = "green-sibson",
-                                        .choices = algorithm_names};
 constexpr Parameter ties_parameter{
     .name = "ties", .summary = "which predicate's zeros are replaced", .standard = "circles", .choices = [] {
       return std::vector<std::string_view>{"circles", "lines"};
@@ -73,7 +64,7 @@ bool is_valid(std::span<const Point2> points, const Triangulation& t, verify::Ki
 }
 
 Finding run_tie_choice(const Cell& cell) {
-  const PlanarAlgorithm& algorithm = *find_planar_algorithm(choice(cell, algorithm_parameter));
+  const PlanarAlgorithm& algorithm = chosen_algorithm(cell);
   const std::vector<Point2> points = cell_points(cell);
   const Kernel2Binding binding = cell_kernel(points, cell);
   if (const auto* refusal = std::get_if<Refusal>(&binding))

@@ -2,39 +2,19 @@
 
 #include "predicates/backends/exact_sign.hpp"
 #include "predicates/filters/dynamic.hpp"
-#include "predicates/formulas/in_sphere.hpp"
-#include "predicates/formulas/orient.hpp"
+#include "predicates/formulas/with_formula.hpp"
 
 namespace tribunal::bench::fuzz {
-namespace {
-
-/// Calls visit.operator()<Formula>() with the formula of the predicate.
-template <class Visitor>
-auto visit_formula(Predicate predicate, Visitor visit) {
-  switch (predicate) {
-    case Predicate::orient2d:
-      return visit.template operator()<Orient<2>>();
-    case Predicate::incircle:
-      return visit.template operator()<InSphere<2>>();
-    case Predicate::orient3d:
-      return visit.template operator()<Orient<3>>();
-    case Predicate::insphere:
-      break;
-  }
-  return visit.template operator()<InSphere<3>>();
-}
-
-}  // namespace
 
 Sign exact_sign(const Case& asked) {
-  return visit_formula(asked.predicate, [&]<class Formula>() {
+  return with_formula(asked.predicate, [&]<class Formula>() {
     return tribunal::exact_sign<Formula>(arguments_of<Formula>(asked));
   });
 }
 
 Sign certified_sign(const Case& asked) {
-  return visit_formula(asked.predicate,
-                       [&]<class Formula>() { return filtered_sign<Formula>(arguments_of<Formula>(asked)); });
+  return with_formula(asked.predicate,
+                      [&]<class Formula>() { return filtered_sign<Formula>(arguments_of<Formula>(asked)); });
 }
 
 Sign Oracle::judge_staged(const Case& asked) {

@@ -1,6 +1,7 @@
+#include "bench/micro/query_at.hpp"
 #include "bench/micro/subject.hpp"
-#include "bench/micro/with_formula.hpp"
 #include "predicates/backends/all.hpp"
+#include "predicates/formulas/with_formula.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -1,6 +1,6 @@
 #include "bench/micro/subject.hpp"
-#include "bench/micro/with_formula.hpp"
 #include "predicates/batch/batch.hpp"
+#include "predicates/formulas/with_formula.hpp"
 
 #include <array>
 #include <utility>

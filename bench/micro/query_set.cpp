@@ -1,7 +1,8 @@
 #include "bench/micro/query_set.hpp"
 
-#include "bench/micro/with_formula.hpp"
+#include "bench/micro/query_at.hpp"
 #include "predicates/backends/exact_sign.hpp"
+#include "predicates/formulas/with_formula.hpp"
 
 namespace tribunal::bench {
 

@@ -26,6 +26,14 @@ constexpr Dyadic to_dyadic(double x) {
   return {bits >> 63 != 0 ? -mantissa : mantissa, exponent};
 }
 
+/// x / 2^unit, of which x must be a multiple and which Integer must hold.
+template <class Integer>
+constexpr Integer to_units(double x, int unit) {
+  const Dyadic dyadic = to_dyadic(x);
+  const int shift = dyadic.mantissa == 0 ? 0 : dyadic.exponent - unit;
+  return Integer{dyadic.mantissa} * (Integer{1} << shift);
+}
+
 /// 2^exponent as a normal number: exponent in [-1022, 1023].
 constexpr double power_of_two(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);

@@ -52,7 +52,7 @@ class Fixed {
   Decision decide(const Query<Formula>& query) const {
     assert(std::all_of(query.begin(), query.end(), [&](const auto& p) { return admits(p); }));
     const auto determinant = Formula::determinant(convert_arguments<Coordinate, Formula>(
-        query, [unit = window_.lowest](double c) { return Coordinate{scaled(c, unit)}; }));
+        query, [unit = window_.lowest](double c) { return Coordinate{to_units<Int128>(c, unit)}; }));
     return {sign_of(determinant), Stage::integer};
   }
 
@@ -63,13 +63,6 @@ class Fixed {
   using Coordinate = CountedCoordinate<coordinate_bits + 1>;
 
   explicit Fixed(const ExponentWindow& window) : window_(window) {}
-
-  /// x * 2^-unit, a multiple of it.
-  static Int128 scaled(double x, int unit) {
-    const Dyadic parts = to_dyadic(x);
-    return parts.mantissa == 0 ? Int128{0}
-                               : static_cast<Int128>(parts.mantissa) * (Int128{1} << (parts.exponent - unit));
-  }
 
   ExponentWindow window_;
 };

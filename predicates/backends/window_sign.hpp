@@ -17,12 +17,8 @@ namespace detail {
 template <class Formula, int Bits>
 Sign windowed_sign(const Query<Formula>& query, int lowest) {
   using Integer = SignedInteger<Bits + 1>;
-  return sign_of(
-      Formula::determinant(convert_arguments<CountedCoordinate<Bits>, Formula>(query, [lowest](double c) {
-        const Dyadic dyadic = to_dyadic(c);
-        const int shift = dyadic.mantissa == 0 ? 0 : dyadic.exponent - lowest;
-        return CountedCoordinate<Bits>{Integer{dyadic.mantissa} * (Integer{1} << shift)};
-      })));
+  return sign_of(Formula::determinant(convert_arguments<CountedCoordinate<Bits>, Formula>(
+      query, [lowest](double c) { return CountedCoordinate<Bits>{to_units<Integer>(c, lowest)}; })));
 }
 
 }  // namespace detail

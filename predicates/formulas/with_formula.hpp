@@ -3,15 +3,11 @@
 
 #include "predicates/formulas/in_sphere.hpp"
 #include "predicates/formulas/orient.hpp"
-#include "predicates/formulas/query.hpp"
 #include "predicates/predicate.hpp"
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdlib>
-#include <span>
 
-namespace tribunal::bench {
+namespace tribunal {
 
 /// visit.operator()<Formula>(), with the formula of the predicate.
 template <class Visit>
@@ -29,12 +25,4 @@ decltype(auto) with_formula(Predicate predicate, Visit visit) {
   std::abort();
 }
 
-/// The i-th of the queries whose points stand one after the other.
-template <class Formula>
-Query<Formula> query_at(std::span<const Point<Formula::dimension>> points, std::size_t i) {
-  Query<Formula> query;
-  std::copy_n(points.begin() + i * Formula::points, Formula::points, query.begin());
-  return query;
-}
-
-}  // namespace tribunal::bench
+}  // namespace tribunal

@@ -1,0 +1,36 @@
+// Parameters whose values are names of lists kept elsewhere, for the experiments that share them.
+#pragma once
+
+#include "algorithms/list.hpp"
+#include "bench/experiments/experiment.hpp"
+#include "predicates/predicate.hpp"
+
+#include <algorithm>
+
+namespace tribunal::bench {
+
+constexpr Parameter predicate_parameter{
+    .name = "predicate", .summary = "the predicate on trial", .standard = "orient2d", .choices = [] {
+      return std::vector<std::string_view>(predicate_names.begin(), predicate_names.end());
+    }};
+
+/// The cell's value of predicate_parameter.
+inline Predicate chosen_predicate(const Cell& cell) {
+  const auto named =
+      std::find(predicate_names.begin(), predicate_names.end(), choice(cell, predicate_parameter));
+  return static_cast<Predicate>(named - predicate_names.begin());
+}
+
+constexpr Parameter algorithm_parameter{
+    .name = "algorithm", .summary = "the algorithm on trial", .standard = "green-sibson", .choices = [] {
+      std::vector<std::string_view> names;
+      for (const PlanarAlgorithm& algorithm : planar_algorithms()) names.push_back(algorithm.about.name);
+      return names;
+    }};
+
+/// The cell's value of algorithm_parameter.
+inline const PlanarAlgorithm& chosen_algorithm(const Cell& cell) {
+  return *find_planar_algorithm(choice(cell, algorithm_parameter));
+}
+
+}  // namespace tribunal::bench
