@@ -18,7 +18,7 @@ struct StopwatchOptions {
 /// Nanoseconds of processor time per query: one vector of `rounds` values per loop. Within a round every loop
 /// runs once, every other round in opposite order, so that values of one round may be compared pair by pair:
 /// a drift of the clock meets all loops alike. Fast loops pass over their `queries` queries several times,
-/// slow ones see the first of them only (1,024 or more).
+/// and once before the clock runs; slow ones see the first of them only (1,024 or more).
 std::vector<std::vector<double>> time_side_by_side(std::span<const SignLoop* const> loops,
                                                    std::size_t queries, const StopwatchOptions& options);
 

@@ -85,10 +85,12 @@ class Filtered {
     Arguments<std::int64_t, Formula> counts;
     if (frame_ && frame_->count<Formula>(query, counts))
       return {integer_sign<Formula>(counts, frame_->bits()), Stage::integer};
-    Sign sign = filtered_sign<Formula>(query);
-    if (sign != Sign::zero) return {sign, Stage::filter};
-    sign = double_double_sign<Formula>(query);
-    if (sign != Sign::zero) return {sign, Stage::double_double};
+    // Where the finer filter is right as often as not, guessing wrong costs what double-doubles do in the
+    // plane.
+    if constexpr (!std::same_as<Formula, Orient<2>>)
+      if (const Sign sign = filtered_sign<Formula>(query); sign != Sign::zero) return {sign, Stage::filter};
+    if (const Sign sign = double_double_sign<Formula>(query); sign != Sign::zero)
+      return {sign, Stage::double_double};
     if (const auto windowed = window_sign<Formula>(query)) return {*windowed, Stage::integer};
     return {exact_sign<Formula>(query), Stage::exact};
   }

@@ -72,6 +72,48 @@ void expect_each_finer_than_the_last() {
 TEST(Filters, NeverCertifyAWrongSignInThePlane) { expect_each_finer_than_the_last<2>(); }
 TEST(Filters, NeverCertifyAWrongSignInSpace) { expect_each_finer_than_the_last<3>(); }
 
+/// A value with the exact one that it stands for.
+template <class Value>
+struct Tracked {
+  Value value;
+  mpq_class exact;
+};
+
+/// |x' - x| <= c u m, the promise of the derivation.
+void expect_promise(const Tracked<FilteredValue>& x, int c) {
+  const mpq_class error = abs(mpq_class(x.value.value) - x.exact);
+  EXPECT_LE(error, mpq_class(x.value.magnitude) * mpq_class(c * 0x1p-53 * (1 + 0x1p-40)))
+      << x.value.value << " of magnitude " << x.value.magnitude << ", c = " << c;
+}
+
+/// Each operation alone keeps its promise, also where its products underflow.
+TEST(Filters, KeepThePromiseOfEveryOperation) {
+  Random random(7);
+  const auto draw = [&random](int exponent) {
+    const double high = std::ldexp(random.unit() - 0.5, exponent),
+                 low = std::ldexp(random.unit(), exponent - 3);
+    return Tracked<FilteredDifference>{FilteredCoordinate{high} - FilteredCoordinate{low},
+                                       mpq_class(high) - mpq_class(low)};
+  };
+  const auto product = [](const auto& a, const auto& b) {
+    return Tracked<FilteredValue>{a.value * b.value, a.exact * b.exact};
+  };
+  for (const int exponent : {0, -255, -265, -340, -355, -500, -520, -535, -537})
+    for (int repeat = 0; repeat < 1000; ++repeat) {
+      const auto a = draw(exponent), b = draw(exponent), c = draw(exponent), d = draw(exponent);
+      expect_promise(product(a, b), 3);
+      const Tracked<FilteredValue> sum{a.value * b.value + c.value * d.value,
+                                       a.exact * b.exact + c.exact * d.exact},
+          difference{a.value * d.value - b.value * c.value, a.exact * d.exact - b.exact * c.exact};
+      expect_promise(sum, 4);
+      expect_promise(difference, 4);
+      expect_promise(product(draw(-1074 - 2 * exponent), sum), 6);
+      expect_promise(product(sum, difference), 9);
+      expect_promise({sum.value + difference.value, sum.exact + difference.exact}, 5);
+      expect_promise({sum.value - difference.value, sum.exact - difference.exact}, 5);
+    }
+}
+
 /// With and without an FMA instruction, the same bits: the same decisions on every machine.
 TEST(DoubleDouble, IsTheSameWithAndWithoutTheInstruction) {
   for (const auto& family : families<2>())
