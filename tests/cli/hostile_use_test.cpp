@@ -10,12 +10,12 @@
 namespace tribunal::cli {
 namespace {
 
-constexpr const char* plan_text =
+constexpr const char* short_plan =
     "[[cells]]\nalgorithm='*'\nbackend=['gmp','double']\ndataset='grid'\nn=[9,16]\nseed='1..5'\n";
 
 TEST(HostileUse, ClosedStandardStreamsLeaveRowsWhole) {
   const Folder folder;
-  const std::string plan = folder.write("plan.toml", plan_text), out = folder / "out";
+  const std::string plan = folder.write("plan.toml", short_plan), out = folder / "out";
   const std::string command =
       std::string(TRIBUNAL_PROGRAM) + " run " + plan + " -o " + out + " --progress plain";
   ASSERT_EQ(std::system((command + " >/dev/null <&- 2>&-").c_str()), 0);
@@ -151,7 +151,7 @@ TEST(HostileUse, ARefusalIsInTheStatistics) {
 
 TEST(HostileUse, FoldersThatContradictEachOtherAreRefused) {
   const Folder folder;
-  const std::string plan = folder.write("plan.toml", plan_text);
+  const std::string plan = folder.write("plan.toml", short_plan);
   for (const char* run : {"a", "b"})
     ASSERT_EQ(tribunal({"run", plan, "-o", folder / run, "--jobs", "1"}).status, 0);
   const std::string rows = folder / "b/rows/local.jsonl";
