@@ -31,7 +31,7 @@ class Filtered {
 
   template <int D>
   static Binding<Filtered> bind(std::span<const Point<D>> points) {
-    if (auto refusal = refuse_non_finite(points)) return *refusal;
+    if (auto refusal = refuse_unusable(points)) return *refusal;
     return Filtered(WorkingBox::around(points), IntegerFrame::find(points));
   }
   template <int D>
@@ -78,7 +78,8 @@ class Filtered {
         insphere_threshold_(error_bound_in_box<InSphere<3>>(box.width())) {}
 
   /// What the threshold of the box left open. On a lattice integers come first: they cost little more than a
-  /// finer filter, and always decide. A point off the lattice is found out by `count`.
+  /// finer filter, and always decide. `count` finds out a point off the lattice or outside the bound points'
+  /// own box; then the finer filters follow.
   template <class Formula>
   [[gnu::noinline]] Decision decide_close(std::same_as<double> auto... coordinates) const {
     const Query<Formula> query = query_of<Formula>(coordinates...);
