@@ -126,6 +126,9 @@ TEST(MicroBench, OnlyWhatIsRightHasASpeedAndExactBackendsAreRight) {
         EXPECT_EQ(cell.queries, 0U);
         EXPECT_TRUE(cell.nanoseconds.empty());
         break;
+      case MicroOutcome::at_fault:
+        ADD_FAILURE() << cell.reason;
+        break;
     }
   }
   EXPECT_EQ(seen.size(), 3U);
@@ -263,8 +266,9 @@ TEST(Peers, OneThatChangesRoundingHasNoSpeedAndHarmsNobody) {
     EXPECT_EQ(cell.outcome, is_ours ? MicroOutcome::timed : MicroOutcome::at_fault) << cell.subject;
     EXPECT_EQ(cell.broke_promise, !is_ours);
     EXPECT_EQ(cell.nanoseconds.empty(), !is_ours);
-    if (cell.subject == "turning")
+    if (cell.subject == "turning") {
       EXPECT_EQ(cell.reason, "the rounding mode is not to nearest while it was timed");
+    }
   }
   EXPECT_EQ(std::fegetround(), FE_TONEAREST);
 }
