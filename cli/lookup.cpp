@@ -4,6 +4,8 @@
 #include "cli/console.hpp"
 #include "predicates/backends/list.hpp"
 
+#include <algorithm>
+
 namespace tribunal::cli {
 namespace {
 
@@ -50,6 +52,13 @@ Predicate predicate_named(const std::string& name) {
 const QueryFamily& query_family_named(const std::string& name) {
   if (const auto* found = find_query_family(name)) return *found;
   refuse("family of queries", name, query_families(), [](const auto& f) { return f.name; });
+}
+
+std::vector<std::string> each_once(std::span<const std::string> names) {
+  std::vector<std::string> once;
+  for (const std::string& name : names)
+    if (std::ranges::find(once, name) == once.end()) once.push_back(name);
+  return once;
 }
 
 std::vector<Point2> generate(const Dataset& dataset, std::uint64_t n, std::uint64_t seed) {

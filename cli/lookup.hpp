@@ -8,6 +8,7 @@
 #include "predicates/predicate.hpp"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ const Dataset& dataset_named(const std::string& name);
 Order order_named(const std::string& name);
 Predicate predicate_named(const std::string& name);
 const QueryFamily& query_family_named(const std::string& name);
+
+/// The names in their order, those said twice once.
+std::vector<std::string> each_once(std::span<const std::string> names);
 
 /// n points of the dataset; n = 0: all of one of fixed size, 1000 of any other.
 std::vector<Point2> generate(const Dataset& dataset, std::uint64_t n, std::uint64_t seed);
