@@ -1,6 +1,7 @@
 // What a planar algorithm is: a function from sites in an order, over a kernel, to triangles.
 #pragma once
 
+#include "algorithms/parameter.hpp"
 #include "algorithms/triangulation.hpp"
 #include "predicates/kernel.hpp"
 
@@ -23,10 +24,12 @@ struct PlanarProblem {
   std::span<const Point2> points;  ///< as the user gave them
   std::span<const Index> sites;    ///< indices into points, in insertion order
   const Kernel2& kernel;
+  Settings settings = {};  ///< of the algorithm's parameters, accepted
 };
 
 struct PlanarAlgorithm {
   AlgorithmAbout about;
+  std::span<const Parameter> parameters = {};  ///< its variants; the default is the algorithm by that name
   /// Triangulates the sites; fills triangles, hull, counters and history. Throws Abandon
   /// (algorithms/abandon.hpp) when the signs make no sense or a budget runs out; the front door turns that
   /// into an outcome.

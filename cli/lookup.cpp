@@ -52,6 +52,20 @@ const QueryFamily& query_family_named(const std::string& name) {
   refuse("family of queries", name, query_families(), [](const auto& f) { return f.name; });
 }
 
+Settings settings_for(const PlanarAlgorithm& algorithm, const std::vector<std::string>& texts) {
+  Settings settings;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) throw BadUsage("--set wants NAME=VALUE, not '" + text + "'");
+    const std::string name = text.substr(0, equals);
+    if (!settings.emplace(name, text.substr(equals + 1)).second)
+      throw BadUsage("--set gives " + name + " twice");
+  }
+  const std::string reason = refuse_settings(algorithm.about.name, algorithm.parameters, settings);
+  if (!reason.empty()) throw BadUsage(reason);
+  return settings;
+}
+
 std::vector<Point2> generate(const Dataset& dataset, std::uint64_t n, std::uint64_t seed) {
   const std::uint64_t usual = dataset.about.fixed_size ? dataset.about.fixed_size : 1000;
   return dataset.generate(n ? n : usual, seed);

@@ -21,6 +21,10 @@ Order order_named(const std::string& name);
 Predicate predicate_named(const std::string& name);
 const QueryFamily& query_family_named(const std::string& name);
 
+/// "name=value" texts as settings that the algorithm takes. Throws BadUsage for what is none, and for a name
+/// that comes twice.
+Settings settings_for(const PlanarAlgorithm& algorithm, const std::vector<std::string>& texts);
+
 /// n points of the dataset; n = 0: all of one of fixed size, 1000 of any other.
 std::vector<Point2> generate(const Dataset& dataset, std::uint64_t n, std::uint64_t seed);
 

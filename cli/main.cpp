@@ -153,6 +153,8 @@ class CommandLine {
                           "tribunal triangulate points.xy -o mesh.off --stats stats.json", o, triangulate);
     verb->add_option("points", o.points, "a file, - for standard input, or a dataset's name")->required();
     verb->add_option("--algorithm", o.algorithm, "see tribunal list algorithms")->capture_default_str();
+    verb->add_option("--set", o.settings, "a parameter of the algorithm, NAME=VALUE; may be repeated")
+        ->allow_extra_args(false);
     verb->add_option("--backend", o.backend, "see tribunal list backends")->capture_default_str();
     verb->add_option("--order", o.order, "insertion order: random, input, hilbert, x or brio")
         ->capture_default_str();

@@ -35,6 +35,7 @@ int sign(const SignOptions& options, Console& console);
 struct TriangulateOptions {
   std::string points;
   std::string algorithm = "green-sibson";
+  std::vector<std::string> settings;  ///< of the algorithm's parameters, as "name=value"
   std::string backend = "filtered";
   std::string order = "random";
   std::uint64_t seed = 1;

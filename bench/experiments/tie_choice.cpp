@@ -69,7 +69,7 @@ Finding run_tie_choice(const Cell& cell) {
   const Kernel2Binding binding = cell_kernel(points, cell);
   if (const auto* refusal = std::get_if<Refusal>(&binding))
     return {Outcome::out_of_domain, describe(*refusal)};
-  const ArbitraryTies kernel(*std::get<0>(binding), choice(cell, ties_parameter) == "circles",
+  const ArbitraryTies kernel(*std::get<0>(binding), choice(cell.parameters, ties_parameter) == "circles",
                              cell.order_seed);
   const Triangulation t = triangulate(points, cell_order(points, cell, cell.order_seed), kernel, algorithm);
   const bool finished = t.outcome == Outcome::ok;

@@ -79,7 +79,7 @@ const Wrong wrongs[] = {
      "order, measure, repeats, parameters)"},
     {"unknown_parameter",
      "[[cells]]\nexperiment = \"sign-map\"\nbackend = \"gmp\"\nparameters = {fig = \"2a\"}\n",
-     "4:15: sign-map has no parameter \"fig\""},
+     "4:15: sign-map has no parameter \"fig\" (there is figure)"},
     {"parameter_choice",
      "[[cells]]\nexperiment = \"sign-map\"\nbackend = \"gmp\"\nparameters = {figure = \"3\"}\n",
      "4:24: figure is one of 2a, 2b, 2c, not \"3\""},
