@@ -56,14 +56,13 @@ std::string describe(const Refusal& refusal, const PointFile& file, const Triang
 
 json predicates_json(const PredicateCounts& counts) {
   json predicates = json::object();
-  for (std::size_t p = 0; p < predicate_names.size(); ++p) {
-    const auto predicate = static_cast<Predicate>(p);
-    if (counts.total(predicate) == 0) continue;
+  for (std::size_t row = 0; row < PredicateCounts::names.size(); ++row) {
+    if (counts.total_of_row(row) == 0) continue;
     json stages = json::object();
     for (std::size_t s = 0; s < stage_names.size(); ++s)
-      if (const auto calls = counts.at(predicate, static_cast<Stage>(s)))
-        stages[std::string(stage_names[s])] = calls;
-    predicates[std::string(predicate_names[p])] = {{"calls", counts.total(predicate)}, {"stages", stages}};
+      if (const auto calls = counts.calls[row][s]) stages[std::string(stage_names[s])] = calls;
+    predicates[std::string(PredicateCounts::names[row])] = {{"calls", counts.total_of_row(row)},
+                                                            {"stages", stages}};
   }
   return predicates;
 }

@@ -38,6 +38,12 @@ class ArbitraryTies final : public Kernel2 {
     const Decision decision = kernel_.decide_incircle(a, b, c, d);
     return circles_ ? broken(decision, {a, b, c, d}) : decision;
   }
+  Decision decide_compare_length(Point2 a, Point2 b, Point2 c, Point2 d) const override {
+    return kernel_.decide_compare_length(a, b, c, d);
+  }
+  Decision decide_compare_angle(const Angle<2>& p, const Angle<2>& q) const override {
+    return kernel_.decide_compare_angle(p, q);
+  }
   bool admits(Point2 p) const override { return kernel_.admits(p); }
   std::uint64_t ties() const { return ties_; }
 
