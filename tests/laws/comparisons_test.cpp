@@ -67,7 +67,7 @@ TEST_P(Comparisons, AreAntisymmetric) {
 TRIBUNAL_FOR_EVERY_BACKEND(Comparisons);
 
 /// Equal lengths and angles stay equal where circle ties are broken.
-TEST(Comparisons, OfASymbolicBackendAreThoseOfTheOneBelow) {
+TEST(ComparisonsOf, ASymbolicBackendAreThoseOfTheOneBelow) {
   const std::vector<Point2> square{{{0, 0}}, {{1, 0}}, {{1, 1}}, {{0, 1}}};
   const auto kernel = bind<2>(*find_backend("filtered+sos"), square);
   EXPECT_NE(kernel->incircle(square[0], square[1], square[2], square[3]), Sign::zero);
@@ -77,7 +77,7 @@ TEST(Comparisons, OfASymbolicBackendAreThoseOfTheOneBelow) {
 }
 
 /// |(1, e)|^2 = 1 + e^2 is 1 in doubles; the angle between (1, 0) and (1, e) beside its exact double.
-TEST(Comparisons, OfAnInexactBackendAreItsOwn) {
+TEST(ComparisonsOf, AnInexactBackendAreItsOwn) {
   const double e = 0x1p-30;
   const std::vector<Point2> points{{{0, 0}}, {{1, 0}}, {{1, e}}};
   const auto naive = bind<2>(*find_backend("double"), points), exact = bind<2>(*find_backend("gmp"), points);
@@ -91,7 +91,7 @@ TEST(Comparisons, OfAnInexactBackendAreItsOwn) {
 }
 
 /// A single word's three products do not hold four lengths; the kernel asks others, exactly.
-TEST(Comparisons, OfKnuthAreCertified) {
+TEST(ComparisonsOf, KnuthAreCertified) {
   const double side = 16383;
   const std::vector<Point2> square{{{0, 0}}, {{side, 0}}, {{side, side}}, {{0, side}}};
   for (const auto* name : {"knuth", "knuth64"}) {
@@ -103,7 +103,7 @@ TEST(Comparisons, OfKnuthAreCertified) {
   }
 }
 
-TEST(Comparisons, AreCounted) {
+TEST(ComparisonsOf, AKernelAreCounted) {
   const std::vector<Point2> square{{{0, 0}}, {{1, 0}}, {{1, 1}}, {{0, 1}}};
   const auto kernel = bind<2>(*find_backend("filtered"), square);
   PredicateCounts counts;
