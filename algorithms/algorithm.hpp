@@ -5,10 +5,17 @@
 #include "algorithms/triangulation.hpp"
 #include "predicates/kernel.hpp"
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
 namespace tribunal {
+
+/// What the triangles of an algorithm are, and what the exact checker holds them to.
+enum class Promise : std::uint8_t {
+  triangulation,  ///< of the convex hull
+  delaunay,       ///< and no site lies strictly inside a circle
+};
 
 /// What `tribunal list algorithms` says of an algorithm.
 struct AlgorithmAbout {
@@ -16,6 +23,7 @@ struct AlgorithmAbout {
   int dimension;
   std::string_view cites;
   std::string_view summary;  ///< one line
+  Promise promise = Promise::delaunay;
 };
 
 /// What the front door hands to an algorithm: distinct sites in insertion order, the first three not
