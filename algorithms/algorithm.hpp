@@ -24,6 +24,9 @@ struct AlgorithmAbout {
   std::string_view cites;
   std::string_view summary;  ///< one line
   Promise promise = Promise::delaunay;
+  /// Of Delaunay algorithms: inserts site by site with strict circle tests, and so makes the same mesh and
+  /// the same tau as all others that do. One that does not may decide ties otherwise, and counts no tau.
+  bool incremental = true;
 };
 
 /// What the front door hands to an algorithm: distinct sites in insertion order, the first three not

@@ -101,7 +101,7 @@ class AlgorithmCell {
     set_outcome(row, result.outcome, result.reason);
     if (result.outcome != Outcome::ok) return result;
     count_structure(result, row.counters);
-    const Judgement judgement = judge(points_, result);
+    const Judgement judgement = judge(points_, result, algorithm_.about.promise);
     set_outcome(row, judgement.outcome, judgement.reason);
     row.counters["ties"] = static_cast<double>(judgement.ties);
     row.digest = to_hex(digest(result.triangles));

@@ -103,7 +103,7 @@ Run run_method(const Method& method, const PointFile& file, const Kernel2& kerne
   if (counted)
     tribunal::triangulate(file.points, order, CountedKernel2(kernel, run.counts), algorithm, settings);
   if (!backend.about->exact && run.result.outcome == Outcome::ok) {
-    const bench::Judgement judgement = bench::judge(file.points, run.result);
+    const bench::Judgement judgement = bench::judge(file.points, run.result, algorithm.about.promise);
     run.result.outcome = judgement.outcome;
     run.result.reason = judgement.reason;
   }

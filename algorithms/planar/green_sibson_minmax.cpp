@@ -163,7 +163,8 @@ constinit const PlanarAlgorithm green_sibson_minmax_algorithm{
               .cites = "Barth section 3.4, after Green, Sibson 1977",
               .summary = "incremental: split, then flips that make the larger angle smaller, forward and "
                          "backward: locally optimal",
-              .promise = Promise::triangulation},
+              .promise = Promise::triangulation,
+              .incremental = false},
     .run = green_sibson_minmax,
 };
 

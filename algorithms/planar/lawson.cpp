@@ -18,7 +18,8 @@ constinit const PlanarAlgorithm lawson_algorithm{
     .about = {.name = "lawson",
               .dimension = 2,
               .cites = "Lawson 1977; Barth section 3.3d",
-              .summary = "any triangulation, then flips until all circles are empty"},
+              .summary = "any triangulation, then flips until all circles are empty",
+              .incremental = false},
     .run = lawson,
 };
 

@@ -34,7 +34,8 @@ constinit const PlanarAlgorithm minmax_global_algorithm{
               .dimension = 2,
               .cites = "Edelsbrunner, Tan, Waupotitsch 1992",
               .summary = "edges inserted where they break the largest angle: the smallest there can be",
-              .promise = Promise::triangulation},
+              .promise = Promise::triangulation,
+              .incremental = false},
     .run = minmax_global,
 };
 

@@ -18,7 +18,8 @@ constinit const PlanarAlgorithm minmax_local_algorithm{
               .dimension = 2,
               .cites = "Barth section 3.4, after Lawson 1977",
               .summary = "flips that make the larger angle smaller, until none does: locally optimal",
-              .promise = Promise::triangulation},
+              .promise = Promise::triangulation,
+              .incremental = false},
     .run = minmax_local,
 };
 

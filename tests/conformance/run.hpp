@@ -28,8 +28,10 @@ inline Triangulation run(const std::vector<Point2>& points, const PlanarAlgorith
   return triangulate(points, insertion_order(points, order, seed), *std::get<0>(bound), algorithm);
 }
 
-inline verify::Verdict check(const std::vector<Point2>& points, const Triangulation& t) {
-  return verify::verify_planar(points, {t.triangles});
+inline verify::Verdict check(const std::vector<Point2>& points, const Triangulation& t,
+                             Promise promise = Promise::delaunay) {
+  const auto kind = promise == Promise::delaunay ? verify::Kind::delaunay : verify::Kind::triangulation;
+  return verify::verify_planar(points, {t.triangles}, {.kind = kind});
 }
 
 /// A name as GoogleTest wants it: '-' and the like become '_'.
