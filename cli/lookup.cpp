@@ -52,7 +52,13 @@ const QueryFamily& query_family_named(const std::string& name) {
   refuse("family of queries", name, query_families(), [](const auto& f) { return f.name; });
 }
 
-Settings settings_for(const PlanarAlgorithm& algorithm, const std::vector<std::string>& texts) {
+const MeshOptimizer& optimizer_named(const std::string& name) {
+  if (const auto* found = find_mesh_optimizer(name)) return *found;
+  refuse("criterion", name, mesh_optimizers(), [](const auto& o) { return o.name; });
+}
+
+Settings settings_for(std::string_view owner, std::span<const Parameter> parameters,
+                      const std::vector<std::string>& texts) {
   Settings settings;
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
@@ -61,7 +67,7 @@ Settings settings_for(const PlanarAlgorithm& algorithm, const std::vector<std::s
     if (!settings.emplace(name, text.substr(equals + 1)).second)
       throw BadUsage("--set gives " + name + " twice");
   }
-  const std::string reason = refuse_settings(algorithm.about.name, algorithm.parameters, settings);
+  const std::string reason = refuse_settings(owner, parameters, settings);
   if (!reason.empty()) throw BadUsage(reason);
   return settings;
 }

@@ -5,6 +5,7 @@
 #include "bench/judge.hpp"
 #include "bench/measure.hpp"
 #include "cli/lookup.hpp"
+#include "cli/predicate_counts.hpp"
 #include "cli/verbs.hpp"
 #include "datasets/files/files.hpp"
 #include "datasets/files/picture.hpp"
@@ -54,19 +55,6 @@ std::string describe(const Refusal& refusal, const PointFile& file, const Triang
   return options.points + ":" + place + ": " + options.backend + ": " + refusal.reason;
 }
 
-json predicates_json(const PredicateCounts& counts) {
-  json predicates = json::object();
-  for (std::size_t row = 0; row < PredicateCounts::names.size(); ++row) {
-    if (counts.total_of_row(row) == 0) continue;
-    json stages = json::object();
-    for (std::size_t s = 0; s < stage_names.size(); ++s)
-      if (const auto calls = counts.calls[row][s]) stages[std::string(stage_names[s])] = calls;
-    predicates[std::string(PredicateCounts::names[row])] = {{"calls", counts.total_of_row(row)},
-                                                            {"stages", stages}};
-  }
-  return predicates;
-}
-
 struct Run {
   Triangulation result;
   PredicateCounts counts;
@@ -84,8 +72,8 @@ struct Method {
 
 Method method_of(const TriangulateOptions& options) {
   const PlanarAlgorithm& algorithm = algorithm_named(options.algorithm);
-  return {algorithm, settings_for(algorithm, options.settings), backend_named(options.backend),
-          order_named(options.order)};
+  return {algorithm, settings_for(algorithm.about.name, algorithm.parameters, options.settings),
+          backend_named(options.backend), order_named(options.order)};
 }
 
 /// Triangulates, and has the result of a backend that promises nothing checked. Predicates are counted in a

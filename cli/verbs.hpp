@@ -52,6 +52,17 @@ struct VerifyOptions {
 };
 int verify(const VerifyOptions& options, Console& console);
 
+struct OptimizeOptions {
+  std::string points, mesh;
+  std::string criterion = "delaunay";  ///< see cli/optimize.cpp
+  std::string backend = "filtered";
+  std::vector<std::string> settings;  ///< NAME=VALUE, of flips
+  std::string output;                 ///< mesh file; empty: none
+  std::string stats;                  ///< statistics as JSON; empty: none
+  std::string picture;                ///< .svg; empty: none
+};
+int optimize(const OptimizeOptions& options, Console& console);
+
 struct BenchOptions {
   std::string what;                                         ///< predicates
   std::vector<std::string> backends, predicates, families;  ///< empty: all

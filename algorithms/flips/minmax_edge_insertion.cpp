@@ -196,6 +196,7 @@ class EdgeInserter {
 }  // namespace
 
 EdgeInsertionResult insert_edges_for_min_max_angle(const Sites& sites, std::span<const Triangle> triangles) {
+  if (triangles.empty()) return {};
   return EdgeInserter(sites, triangles).run();
 }
 

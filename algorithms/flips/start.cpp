@@ -97,6 +97,7 @@ std::vector<Triangle> start_triangulation(const Sites& sites, std::span<const In
 
 std::uint64_t flip_at_random(const Sites& sites, EdgeMesh& mesh, std::uint64_t attempts, std::uint64_t seed,
                              std::span<const char> fixed) {
+  if (mesh.edges() == 0) return 0;
   Random random(seed);
   std::uint64_t flips = 0;
   for (; attempts > 0; --attempts) {

@@ -9,12 +9,24 @@
 #include "algorithms/planar/conflict.hpp"
 #include "algorithms/planar/first_triangle.hpp"
 #include "algorithms/planar/listed.hpp"
-#include "algorithms/planar/propagation.hpp"
 
+#include <array>
 #include <vector>
 
 namespace tribunal {
 namespace {
+
+/// In the order of the parameter's choices.
+enum class Propagation : std::uint8_t {
+  both,     ///< forward and backward, until no flip improves
+  forward,  ///< to edges away from the site only, which is all that the circle test asks for
+};
+
+constexpr Parameter propagation_parameter{
+    .name = "propagation", .summary = "which edges a flip makes suspect", .standard = "both", .choices = [] {
+      return std::vector<std::string_view>{"both", "forward"};
+    }};
+constexpr std::array parameters{propagation_parameter};
 
 class GreenSibsonMinMax {
  public:
@@ -150,7 +162,7 @@ class GreenSibsonMinMax {
 };
 
 Triangulation green_sibson_minmax(const PlanarProblem& problem) {
-  GreenSibsonMinMax algorithm(problem, Propagation::both);
+  GreenSibsonMinMax algorithm(problem, choice_as<Propagation>(problem.settings, propagation_parameter));
   for (const Index site : problem.sites.subspan(3)) algorithm.insert(site);
   return std::move(algorithm).result();
 }
@@ -165,6 +177,7 @@ constinit const PlanarAlgorithm green_sibson_minmax_algorithm{
                          "backward: locally optimal",
               .promise = Promise::triangulation,
               .incremental = false},
+    .parameters = parameters,
     .run = green_sibson_minmax,
 };
 

@@ -1,14 +1,14 @@
 // Locally optimal MinMax triangulation, Barth section 3.4: Lawson's flips, where they make the largest of the
 // six angles smaller. Where it ends depends on where it starts.
-#include "algorithms/flips/lawson.hpp"
 #include "algorithms/flips/min_max_criterion.hpp"
+#include "algorithms/flips/parameters.hpp"
 #include "algorithms/planar/listed.hpp"
 
 namespace tribunal {
 namespace {
 
 Triangulation minmax_local(const PlanarProblem& problem) {
-  return triangulate_by_flips<MinMaxCriterion>(problem, {});
+  return triangulate_by_flips<MinMaxCriterion>(problem, flip_options(problem.settings));
 }
 
 }  // namespace
@@ -20,6 +20,7 @@ constinit const PlanarAlgorithm minmax_local_algorithm{
               .summary = "flips that make the larger angle smaller, until none does: locally optimal",
               .promise = Promise::triangulation,
               .incremental = false},
+    .parameters = flip_parameters,
     .run = minmax_local,
 };
 

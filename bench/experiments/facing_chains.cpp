@@ -7,8 +7,8 @@
 #include "bench/experiments/facing_chains.hpp"
 
 #include "algorithms/flips/delaunay_criterion.hpp"
+#include "algorithms/flips/parameters.hpp"
 #include "algorithms/verify/verify.hpp"
-#include "bench/experiments/flip_parameters.hpp"
 #include "bench/experiments/listed.hpp"
 #include "bench/input.hpp"
 #include "datasets/dataset.hpp"
@@ -18,7 +18,7 @@
 namespace tribunal::bench {
 namespace {
 
-constexpr std::array parameters{method_parameter, scan_parameter};
+constexpr std::array parameters{method_parameter, scan_parameter, flip_seed_parameter};
 
 Finding run_facing_chains(const Cell& cell) {
   const std::vector<Point2> points = find_dataset("lawson-worst-case")->generate(cell.n, 0);
@@ -30,7 +30,7 @@ Finding run_facing_chains(const Cell& cell) {
   const auto m = static_cast<Index>(points.size() / 2);
   EdgeMesh mesh(facing_chains_start(m));
   DelaunayCriterion delaunay(sites);
-  const FlipCounts counts = flip_to_optimum(sites, mesh, delaunay, sweep_options(cell));
+  const FlipCounts counts = flip_to_optimum(sites, mesh, delaunay, flip_options(cell.parameters));
   const auto triangles = mesh.triangles();
   const double flips = static_cast<double>(counts.flips), formula = (m - 2.0) * (2.0 * m - 5) / 2;
   return {.counters = {{"flips", flips},
@@ -48,7 +48,7 @@ constinit const Experiment facing_chains_experiment{
     .name = "facing-chains",
     .cites = "Barth, section 3.3d",
     .summary = "flips from the worst triangulation of two facing chains, in the order named",
-    .reads = {.backend = true, .n = true, .seed = true},
+    .reads = {.backend = true, .n = true},
     .parameters = parameters,
     .run = run_facing_chains,
 };

@@ -9,11 +9,11 @@
 #include "algorithms/abandon.hpp"
 #include "algorithms/flips/delaunay_criterion.hpp"
 #include "algorithms/flips/min_max_criterion.hpp"
+#include "algorithms/flips/parameters.hpp"
 #include "algorithms/list.hpp"
 #include "algorithms/mesh/canonical.hpp"
 #include "algorithms/triangulate.hpp"
 #include "algorithms/verify/verify.hpp"
-#include "bench/experiments/flip_parameters.hpp"
 #include "bench/experiments/listed.hpp"
 #include "bench/input.hpp"
 #include "predicates/backends/list.hpp"
@@ -31,7 +31,7 @@ constexpr Parameter criterion_parameter{
       return std::vector<std::string_view>{"delaunay", "delaunay-ties", "minmax"};
     }};
 constexpr std::array parameters{criterion_parameter, start_parameter, random_flips_parameter,
-                                method_parameter, scan_parameter};
+                                method_parameter,    scan_parameter,  flip_seed_parameter};
 
 /// Flips at ties, too: what must not be done.
 class TiesToo {
@@ -156,8 +156,8 @@ Finding run_flip_laws(const Cell& cell) {
   const Kernel2Binding asked = cell_kernel(points, cell), exact = find_backend("gmp")->bind2(points);
   if (const auto* refusal = std::get_if<Refusal>(&asked)) return {Outcome::out_of_domain, describe(*refusal)};
   const Trial trial{points, vertices, *std::get<0>(asked), *std::get<0>(exact)};
-  const FlipOptions options = flip_options(cell);
-  const std::string criterion = choice(cell, criterion_parameter);
+  const FlipOptions options = flip_options(cell.parameters);
+  const std::string criterion = choice(cell.parameters, criterion_parameter);
   try {
     if (criterion == "minmax") return watch<MinMaxCriterion>(trial, options);
     if (criterion == "delaunay-ties") return watch<TiesToo>(trial, options);

@@ -8,12 +8,12 @@
 // `attempts`, `candidates`, `crossings`, `ears`, and `operations`, the sum of the last three. Up to 9 points,
 // parameter `exhaustive`: `triangulations`, how many there are, `best.max`, and `global_missed` (1 when
 // one of them has a smaller largest angle than edge insertion found).
+#include "algorithms/flips/angles.hpp"
 #include "algorithms/flips/delaunay_criterion.hpp"
 #include "algorithms/flips/lawson.hpp"
 #include "algorithms/flips/minmax_edge_insertion.hpp"
 #include "algorithms/mesh/canonical.hpp"
 #include "algorithms/verify/verify.hpp"
-#include "bench/experiments/angles.hpp"
 #include "bench/experiments/listed.hpp"
 #include "bench/input.hpp"
 
@@ -75,7 +75,7 @@ Finding run_min_max_angles(const Cell& cell) {
   const Kernel2Binding binding = cell_kernel(points, cell);
   if (const auto* refusal = std::get_if<Refusal>(&binding))
     return {Outcome::out_of_domain, describe(*refusal)};
-  const bool exhaustive = choice(cell, exhaustive_parameter) == "yes";
+  const bool exhaustive = choice(cell.parameters, exhaustive_parameter) == "yes";
   if (exhaustive && points.size() > most_exhaustive)
     return {Outcome::refused_input, "more than 9 points have too many triangulations"};
   const Sites sites{points, *std::get<0>(binding)};

@@ -40,7 +40,8 @@ Gradient gradient(const std::array<Corner, 3>& t) {
 }
 
 Finding run_needle_interpolation(const Cell& cell) {
-  const double h = 1, e = std::ldexp(1.0, -static_cast<int>(whole_number(cell, halvings_parameter)));
+  const double h = 1,
+               e = std::ldexp(1.0, -static_cast<int>(whole_number(cell.parameters, halvings_parameter)));
   const Gradient flat = gradient({Corner{-h, 0}, {h, 0}, {0, e}});
   const Gradient needle = gradient({Corner{0, 0}, {h, 0}, {0, e}});
   // The exact gradient (2x, 0) runs from 0 to 2h over the needle.

@@ -41,5 +41,7 @@ set(tribunal_claims
     M2
     M3
     M4
+    M5
     M6
+    M7
     M8)

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <span>
 
-namespace tribunal::bench {
+namespace tribunal {
 
 /// Of the corner {a, apex, b}, in degrees, rounded.
 inline double degrees(const Sites& sites, const Triangle& corner) {
@@ -19,9 +19,9 @@ inline double degrees(const Sites& sites, const Triangle& corner) {
 
 /// The corner with the largest angle of all.
 inline Triangle largest_corner(const Sites& sites, std::span<const Triangle> triangles) {
-  Triangle largest = tribunal::largest_corner(sites, triangles[0]);
+  Triangle largest = largest_corner(sites, triangles[0]);
   for (const Triangle& t : triangles)
-    if (const Triangle corner = tribunal::largest_corner(sites, t);
+    if (const Triangle corner = largest_corner(sites, t);
         sites.compare_angle(corner, largest) == Sign::positive)
       largest = corner;
   return largest;
@@ -36,4 +36,4 @@ inline double smallest_degrees(const Sites& sites, std::span<const Triangle> tri
   return smallest;
 }
 
-}  // namespace tribunal::bench
+}  // namespace tribunal
