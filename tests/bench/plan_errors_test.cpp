@@ -73,6 +73,14 @@ const Wrong wrongs[] = {
      "[[cells]]\nalgorithm = \"bowyer\"\nbackend = \"gmp\"\ndataset = \"grid\"\nn = 9\nparameters = {a = "
      "1}\n",
      "6:14: bowyer takes no parameters"},
+    {"algorithms_share_parameters",
+     "[[cells]]\nalgorithm = [\"green-sibson\", \"bowyer\"]\nbackend = \"gmp\"\ndataset = \"grid\"\nn = 9\n"
+     "parameters = {location = \"walk\"}\n",
+     "6:14: bowyer takes no parameters"},
+    {"algorithm_parameter_choice",
+     "[[cells]]\nalgorithm = \"green-sibson\"\nbackend = \"gmp\"\ndataset = \"grid\"\nn = 9\n"
+     "parameters = {location = \"taxi\"}\n",
+     "6:26: location is one of history, walk, jump-and-walk, not \"taxi\""},
     {"unknown_key", "[[cells]]\nalgorithm = \"bowyer\"\nbakend = \"gmp\"\n",
      "3:1: unknown key \"bakend\" (known here: algorithm, experiment, backend, dataset, n, bits, seed, "
      "order_seed, "
