@@ -2,13 +2,16 @@
 #pragma once
 
 #include "algorithms/algorithm.hpp"
+#include "algorithms/flips/optimizers.hpp"
 #include "datasets/dataset.hpp"
 #include "datasets/queries/queries.hpp"
 #include "predicates/backends/backend.hpp"
 #include "predicates/predicate.hpp"
 
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tribunal::cli {
@@ -20,6 +23,12 @@ const Dataset& dataset_named(const std::string& name);
 Order order_named(const std::string& name);
 Predicate predicate_named(const std::string& name);
 const QueryFamily& query_family_named(const std::string& name);
+const MeshOptimizer& optimizer_named(const std::string& name);
+
+/// "name=value" texts as settings that `owner` takes, which has these parameters. Throws BadUsage for what is
+/// none, and for a name that comes twice.
+Settings settings_for(std::string_view owner, std::span<const Parameter> parameters,
+                      const std::vector<std::string>& texts);
 
 /// n points of the dataset; n = 0: all of one of fixed size, 1000 of any other.
 std::vector<Point2> generate(const Dataset& dataset, std::uint64_t n, std::uint64_t seed);

@@ -67,6 +67,7 @@ class CommandLine {
     add_sign(std::move(numbers));
     add_triangulate();
     add_verify();
+    add_optimize();
     add_try();
     add_bench();
     add_fuzz();
@@ -153,6 +154,8 @@ class CommandLine {
                           "tribunal triangulate points.xy -o mesh.off --stats stats.json", o, triangulate);
     verb->add_option("points", o.points, "a file, - for standard input, or a dataset's name")->required();
     verb->add_option("--algorithm", o.algorithm, "see tribunal list algorithms")->capture_default_str();
+    verb->add_option("--set", o.settings, "a parameter of the algorithm, NAME=VALUE; may be repeated")
+        ->allow_extra_args(false);
     verb->add_option("--backend", o.backend, "see tribunal list backends")->capture_default_str();
     verb->add_option("--order", o.order, "insertion order: random, input, hilbert, x or brio")
         ->capture_default_str();
@@ -170,6 +173,21 @@ class CommandLine {
     verb->add_option("points", verify_options.points, "the points, as they were triangulated")->required();
     verb->add_option("mesh", verify_options.mesh, "the mesh: .off or .ele")->required();
     verb->add_option("--kind", verify_options.kind, "delaunay or triangulation")->capture_default_str();
+  }
+  void add_optimize() {
+    auto& o = optimize_options;
+    auto* verb = add_verb("optimize", "flip the edges of a mesh while that makes it better",
+                          "tribunal optimize points.xy mesh.off --criterion minmax -o better.off", o,
+                          tribunal::cli::optimize);
+    verb->add_option("points", o.points, "the points of the mesh")->required();
+    verb->add_option("mesh", o.mesh, "the mesh: .off or .ele")->required();
+    verb->add_option("--criterion", o.criterion, "delaunay, minmax, or minmax-global")->capture_default_str();
+    verb->add_option("--set", o.settings, "a parameter of the flips, NAME=VALUE; may be repeated")
+        ->allow_extra_args(false);
+    verb->add_option("--backend", o.backend, "see tribunal list backends")->capture_default_str();
+    verb->add_option("-o,--output", o.output, "mesh file: .off or .ele");
+    verb->add_option("--stats", o.stats, "statistics as JSON");
+    verb->add_option("--picture", o.picture, "picture: .svg");
   }
   void add_bench() {
     auto& o = bench_options;
@@ -294,6 +312,7 @@ class CommandLine {
       stray_numbers;  // what take_numbers did not take for numbers, for `sign` to refuse by name
   TriangulateOptions triangulate_options;
   VerifyOptions verify_options;
+  OptimizeOptions optimize_options;
   BenchOptions bench_options;
   TryOptions try_options;
   FuzzOptions fuzz_options;

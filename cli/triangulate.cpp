@@ -5,6 +5,7 @@
 #include "bench/judge.hpp"
 #include "bench/measure.hpp"
 #include "cli/lookup.hpp"
+#include "cli/predicate_counts.hpp"
 #include "cli/verbs.hpp"
 #include "datasets/files/files.hpp"
 #include "datasets/files/picture.hpp"
@@ -54,20 +55,6 @@ std::string describe(const Refusal& refusal, const PointFile& file, const Triang
   return options.points + ":" + place + ": " + options.backend + ": " + refusal.reason;
 }
 
-json predicates_json(const PredicateCounts& counts) {
-  json predicates = json::object();
-  for (std::size_t p = 0; p < predicate_names.size(); ++p) {
-    const auto predicate = static_cast<Predicate>(p);
-    if (counts.total(predicate) == 0) continue;
-    json stages = json::object();
-    for (std::size_t s = 0; s < stage_names.size(); ++s)
-      if (const auto calls = counts.at(predicate, static_cast<Stage>(s)))
-        stages[std::string(stage_names[s])] = calls;
-    predicates[std::string(predicate_names[p])] = {{"calls", counts.total(predicate)}, {"stages", stages}};
-  }
-  return predicates;
-}
-
 struct Run {
   Triangulation result;
   PredicateCounts counts;
@@ -75,28 +62,43 @@ struct Run {
   std::uint64_t peak_bytes = 0;
 };
 
+/// What the user chose, by name.
+struct Method {
+  const PlanarAlgorithm& algorithm;
+  Settings settings;
+  const BackendEntry& backend;
+  Order order;
+};
+
+Method method_of(const TriangulateOptions& options) {
+  const PlanarAlgorithm& algorithm = algorithm_named(options.algorithm);
+  return {algorithm, settings_for(algorithm.about.name, algorithm.parameters, options.settings),
+          backend_named(options.backend), order_named(options.order)};
+}
+
 /// Triangulates, and has the result of a backend that promises nothing checked. Predicates are counted in a
 /// run of its own where somebody wants them, so that counting costs no measured time.
-Run run_algorithm(const PointFile& file, const Kernel2& kernel, const PlanarAlgorithm& algorithm,
-                  const BackendEntry& backend, Order order_kind, const TriangulateOptions& options,
-                  bool counted) {
+Run run_method(const Method& method, const PointFile& file, const Kernel2& kernel, std::uint64_t seed,
+               bool counted) {
+  const auto& [algorithm, settings, backend, order_kind] = method;
   Run run;
-  const auto order = insertion_order(file.points, order_kind, options.seed);
+  const auto order = insertion_order(file.points, order_kind, seed);
   const bench::PeakMemory memory;
   const double start = bench::thread_seconds();
-  run.result = tribunal::triangulate(file.points, order, kernel, algorithm);
+  run.result = tribunal::triangulate(file.points, order, kernel, algorithm, settings);
   run.seconds = bench::thread_seconds() - start;
   run.peak_bytes = memory.growth();
-  if (counted) tribunal::triangulate(file.points, order, CountedKernel2(kernel, run.counts), algorithm);
+  if (counted)
+    tribunal::triangulate(file.points, order, CountedKernel2(kernel, run.counts), algorithm, settings);
   if (!backend.about->exact && run.result.outcome == Outcome::ok) {
-    const bench::Judgement judgement = bench::judge(file.points, run.result);
+    const bench::Judgement judgement = bench::judge(file.points, run.result, algorithm.about.promise);
     run.result.outcome = judgement.outcome;
     run.result.reason = judgement.reason;
   }
   return run;
 }
 
-json stats_json(const TriangulateOptions& options, std::size_t n, const Run& run) {
+json stats_json(const TriangulateOptions& options, const Settings& settings, std::size_t n, const Run& run) {
   const Triangulation& t = run.result;
   const Counters& c = t.counters;
   json history = nullptr;
@@ -106,6 +108,7 @@ json stats_json(const TriangulateOptions& options, std::size_t n, const Run& run
                {"depth_late_mean", t.history->depth_late_mean},
                {"depth_max", t.history->depth_max}};
   return {{"algorithm", options.algorithm},
+          {"parameters", settings},
           {"backend", options.backend},
           {"order", options.order},
           {"seed", options.seed},
@@ -157,23 +160,21 @@ void report_duplicates(const PointFile& file, const Triangulation& t, const Tria
 }  // namespace
 
 int triangulate(const TriangulateOptions& options, Console& console) {
-  const PlanarAlgorithm& algorithm = algorithm_named(options.algorithm);
-  const BackendEntry& backend = backend_named(options.backend);
-  const Order order = order_named(options.order);
+  const Method method = method_of(options);
   check_outputs(options, console);
   const PointFile file = points_of(options);
 
   Run run;
-  const Kernel2Binding bound = backend.bind2(file.points);
+  const Kernel2Binding bound = method.backend.bind2(file.points);
   if (const auto* refusal = std::get_if<Refusal>(&bound)) {
     run.result.outcome = Outcome::out_of_domain;
     run.result.reason = describe(*refusal, file, options);
   } else {
     const bool counted = console.json || !options.stats.empty();
-    run = run_algorithm(file, *std::get<0>(bound), algorithm, backend, order, options, counted);
+    run = run_method(method, file, *std::get<0>(bound), options.seed, counted);
   }
   const Triangulation& result = run.result;
-  const json stats = stats_json(options, file.points.size(), run);
+  const json stats = stats_json(options, method.settings, file.points.size(), run);
 
   report_duplicates(file, result, options, console);
   if (!options.stats.empty()) write_text(options.stats, stats.dump(2) + "\n");

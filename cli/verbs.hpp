@@ -35,6 +35,7 @@ int sign(const SignOptions& options, Console& console);
 struct TriangulateOptions {
   std::string points;
   std::string algorithm = "green-sibson";
+  std::vector<std::string> settings;  ///< of the algorithm's parameters, as "name=value"
   std::string backend = "filtered";
   std::string order = "random";
   std::uint64_t seed = 1;
@@ -50,6 +51,17 @@ struct VerifyOptions {
   std::string kind = "delaunay";
 };
 int verify(const VerifyOptions& options, Console& console);
+
+struct OptimizeOptions {
+  std::string points, mesh;
+  std::string criterion = "delaunay";  ///< see cli/optimize.cpp
+  std::string backend = "filtered";
+  std::vector<std::string> settings;  ///< NAME=VALUE, of flips
+  std::string output;                 ///< mesh file; empty: none
+  std::string stats;                  ///< statistics as JSON; empty: none
+  std::string picture;                ///< .svg; empty: none
+};
+int optimize(const OptimizeOptions& options, Console& console);
 
 struct BenchOptions {
   std::string what;                                         ///< predicates

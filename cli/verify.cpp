@@ -1,31 +1,14 @@
 // tribunal verify: an exact check of anybody's mesh.
 #include "algorithms/verify/verify.hpp"
 
+#include "cli/mesh_input.hpp"
 #include "cli/verbs.hpp"
-#include "datasets/files/files.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <ostream>
 
 namespace tribunal::cli {
-
-namespace {
-
-/// A mesh file that carries coordinates must carry those of the points: a tool that drops, moves or reorders
-/// vertices has triangulated something else.
-void compare_vertices(const VerifyOptions& options, const PointFile& points, const MeshFile& mesh) {
-  if (mesh.points.empty()) return;
-  if (mesh.points.size() != points.points.size())
-    throw BadInput(options.mesh + ": holds " + std::to_string(mesh.points.size()) + " vertices, but " +
-                   options.points + " holds " + std::to_string(points.points.size()) + " points");
-  for (std::size_t i = 0; i < mesh.points.size(); ++i)
-    if (mesh.points[i] != points.points[i])
-      throw BadInput(options.mesh + ": vertex " + std::to_string(i) + " is not where " + options.points +
-                     ":" + std::to_string(points.lines[i]) + " has it");
-}
-
-}  // namespace
 
 int verify(const VerifyOptions& options, Console& console) {
   tribunal::verify::Options checks;
@@ -35,9 +18,7 @@ int verify(const VerifyOptions& options, Console& console) {
     checks.kind = tribunal::verify::Kind::triangulation;
   else
     throw BadUsage("--kind " + options.kind + ": delaunay or triangulation");
-  const PointFile points = read_points(options.points);
-  const MeshFile mesh = read_mesh(options.mesh, points.points.size());
-  compare_vertices(options, points, mesh);
+  const auto [points, mesh] = read_mesh_over(options.points, options.mesh);
   const auto verdict = tribunal::verify::verify_planar(points.points, {mesh.triangles}, checks);
 
   if (console.json) {

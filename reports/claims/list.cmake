@@ -26,4 +26,22 @@ set(tribunal_claims
     P-kettner
     P7
     P8
-    P9)
+    P9
+    L1
+    L2
+    L3
+    L4
+    L5
+    L6
+    L6-stack
+    L6-shuffled
+    L7
+    L8
+    M1
+    M2
+    M3
+    M4
+    M5
+    M6
+    M7
+    M8)

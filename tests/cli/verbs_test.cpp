@@ -11,7 +11,7 @@ namespace tribunal::cli {
 namespace {
 
 TEST(Help, EveryVerbShowsAnExample) {
-  for (const char* verb : {"list", "points", "sign", "triangulate", "verify", "bench", "fuzz", "run",
+  for (const char* verb : {"list", "points", "sign", "triangulate", "verify", "optimize", "bench", "fuzz", "run",
                            "claims", "report", "cell"}) {
     const Ended help = tribunal({verb, "--help"});
     EXPECT_EQ(help.status, 0) << verb;
