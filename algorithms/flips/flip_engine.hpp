@@ -96,8 +96,7 @@ class FlipEngine {
   std::vector<Index> snapshot(Scan scan, Random& random) const {
     std::vector<std::pair<Edge, Index>> by_ends;
     for (Index edge = 0; edge < mesh_.edges(); ++edge) {
-      const auto [least, most] = std::minmax(mesh_.from(2 * edge), mesh_.to(2 * edge));
-      by_ends.push_back({{least, most}, edge});
+      by_ends.emplace_back(undirected(mesh_.from(2 * edge), mesh_.to(2 * edge)), edge);
     }
     std::sort(by_ends.begin(), by_ends.end());
     std::vector<Index> edges;

@@ -110,8 +110,9 @@ class EdgeInserter {
       ++counts_.crossings;
       const HalfEdge entered = mesh_.twin(crossed);
       const Index t = triangle_of(entered), z = mesh_.corner(entered);
-      if (t >= finite_)
-        throw Abandon(Outcome::inconsistent_predicate, "an edge to be inserted leaves the hull");
+      if (t >= finite_ || insertion.crossed.size() > finite_)
+        throw Abandon(Outcome::inconsistent_predicate,
+                      "an edge to be inserted leaves the hull or never ends");
       insertion.crossed.push_back(t);
       const Sign side = z == s ? Sign::zero : sites_.orient(q, s, z);
       if (side == Sign::zero && z != s) return false;

@@ -62,6 +62,12 @@ std::size_t chain_length(const PlanarProblem& problem, Iterator first, Iterator 
 
 }  // namespace
 
+void require_pool(const PlanarProblem& problem) {
+  if (problem.sites.size() > most_pooled_sites)
+    throw Abandon(Outcome::refused_input, "all pairs of more than " + std::to_string(most_pooled_sites) +
+                                              " sites are too many to store");
+}
+
 std::size_t hull_size(const PlanarProblem& problem) {
   std::vector<Index> sites(problem.sites.begin(), problem.sites.end());
   std::sort(sites.begin(), sites.end(),
@@ -71,10 +77,8 @@ std::size_t hull_size(const PlanarProblem& problem) {
 }
 
 GreedyEdges triangulate_from_pool(const GreedyProblem& problem, AcceptedEdges& accepted) {
+  require_pool(problem.planar);
   const std::size_t n = problem.planar.sites.size();
-  if (n > most_pooled_sites)
-    throw Abandon(Outcome::refused_input, "all pairs of more than " + std::to_string(most_pooled_sites) +
-                                              " sites are too many to store");
   const bool convex = problem.boundary.empty();
   const std::size_t enough = convex ? 3 * n - 3 - hull_size(problem.planar) : 0;
   const Domain domain(problem);

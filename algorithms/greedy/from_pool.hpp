@@ -29,6 +29,9 @@ GreedyEdges triangulate_from_pool(const GreedyProblem& problem, AcceptedEdges& a
 
 inline constexpr std::size_t most_pooled_sites = 1 << 15;
 
+/// Abandons (refused_input) where there are more sites than that.
+void require_pool(const PlanarProblem& problem);
+
 /// How many sites are on the boundary of the convex hull, collinear ones included. O(n log n).
 std::size_t hull_size(const PlanarProblem& problem);
 

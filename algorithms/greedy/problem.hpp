@@ -9,9 +9,6 @@
 
 namespace tribunal {
 
-/// The segment between a and b, its smaller index first.
-constexpr Edge undirected(Index a, Index b) { return a < b ? Edge{a, b} : Edge{b, a}; }
-
 /// Sites, and the edges that go in before any candidate (Barth, section 3.4): those of the boundary, then the
 /// constraints, in the order given. Two of them meet in a common end or not at all, and no site lies inside
 /// one; otherwise the problem is refused. With a boundary, every site lies in the domain or on its boundary.

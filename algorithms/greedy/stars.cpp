@@ -8,6 +8,7 @@
 namespace tribunal {
 
 Stars::Stars(const PlanarProblem& problem) : problem_(problem), local_(problem.points.size(), none) {
+  require_pool(problem);
   for (Index i = 0; i < problem.sites.size(); ++i) local_[problem.sites[i]] = i;
   stars_.reserve(problem.sites.size());
   for (const Index site : problem.sites) stars_.push_back(star_of(site));

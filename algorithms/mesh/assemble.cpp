@@ -17,7 +17,7 @@ namespace {
 /// Half-edges in an order that brings twins together.
 std::vector<HalfEdge> sorted_by_ends(const PlanarMesh& mesh) {
   const auto ends = [&](HalfEdge h) {
-    const auto [least, most] = std::minmax(mesh.from(h), mesh.to(h));
+    const auto [least, most] = undirected(mesh.from(h), mesh.to(h));
     return std::uint64_t{least} << 32 | most;
   };
   std::vector<HalfEdge> sides(3 * std::size_t{mesh.triangles()});

@@ -42,13 +42,14 @@ class GreenSibsonMinMax {
 
   void insert(Index site) {
     const Index t = walk_.locate(site, counters_.location_steps);
-    const HalfEdge edge = mesh_.is_ghost(t) ? PlanarMesh::none : edge_through(t, site);
+    const bool outside = mesh_.is_ghost(t);
+    const HalfEdge edge = outside ? PlanarMesh::none : edge_through(t, site);
     if (edge == PlanarMesh::none)
       split_triangle(mesh_, t, site);
     else
       split_edge(mesh_, edge, site);
     counters_.on_edge += edge != PlanarMesh::none;
-    if (mesh_.is_ghost(t)) join_visible_hull(t, site);
+    if (outside) join_visible_hull(t, site);
     suspect_star(t, site);
     propagate(site);
   }

@@ -12,13 +12,12 @@
 #include "algorithms/flips/delaunay_criterion.hpp"
 #include "algorithms/flips/lawson.hpp"
 #include "algorithms/flips/minmax_edge_insertion.hpp"
-#include "algorithms/mesh/canonical.hpp"
 #include "algorithms/verify/verify.hpp"
+#include "bench/experiments/all_triangulations.hpp"
 #include "bench/experiments/listed.hpp"
 #include "bench/input.hpp"
 
 #include <array>
-#include <set>
 #include <utility>
 
 namespace tribunal::bench {
@@ -31,23 +30,6 @@ constexpr Parameter exhaustive_parameter{
       return std::vector<std::string_view>{"no", "yes"};
     }};
 constexpr std::array parameters{exhaustive_parameter};
-
-/// Visits all triangulations of the points: flips lead from each to all others.
-void visit_all_triangulations(const Sites& sites, const std::vector<Triangle>& first, auto visit) {
-  std::set<std::vector<Triangle>> seen{canonical(first)};
-  std::vector<std::vector<Triangle>> waiting{canonical(first)};
-  while (!waiting.empty()) {
-    EdgeMesh mesh(waiting.back());
-    visit(waiting.back());
-    waiting.pop_back();
-    for (Index edge = 0; edge < mesh.edges(); ++edge) {
-      if (!mesh.is_inner(edge) || !is_strictly_convex(sites, quadrilateral(mesh, edge))) continue;
-      mesh.flip(edge);
-      if (auto next = canonical(mesh.triangles()); seen.insert(next).second) waiting.push_back(next);
-      mesh.flip(edge);
-    }
-  }
-}
 
 void compare_with_all(const Sites& sites, const std::vector<Triangle>& global, Finding& finding) {
   Triangle best = largest_corner(sites, global);

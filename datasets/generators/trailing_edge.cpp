@@ -34,7 +34,7 @@ std::vector<Point2> generate(std::uint64_t n, std::uint64_t seed) {
   double spacing = 1e-4;
   for (std::uint64_t s = 0; s < (seed + 5) % 6; ++s) spacing /= 10;
   const auto heights = offsets(spacing);
-  const std::uint64_t stations = n / (4 * layers) + 1;
+  const std::uint64_t stations = n / (4 * layers - 4) + 1;  // of 47 points each: enough
   std::vector<Point2> points{{{1, 0}}};
   const auto add = [&](double x, double y) {
     if (points.size() < n) points.push_back({{x, y}});

@@ -44,4 +44,13 @@ set(tribunal_claims
     M5
     M6
     M7
-    M8)
+    M8
+    G1
+    G2
+    G2-ties
+    G3
+    G4
+    G4-early
+    G4-gilbert
+    G5
+    G6)
