@@ -74,9 +74,10 @@ Improvement improve(const MeshInput& input, const Kernel2& kernel, const MeshOpt
 /// What signs without a promise have made.
 void check(std::span<const Point2> points, Improvement& result) {
   if (result.outcome != Outcome::ok) return;
-  const bench::Judgement judgement = bench::judge(
-      points, {.dimension = result.mesh.triangles.empty() ? 1 : 2, .triangles = result.mesh.triangles},
-      Promise::triangulation);
+  Triangulation mesh;
+  mesh.dimension = result.mesh.triangles.empty() ? 1 : 2;
+  mesh.triangles = result.mesh.triangles;
+  const bench::Judgement judgement = bench::judge(points, mesh, Promise::triangulation);
   result.outcome = judgement.outcome;
   result.reason = judgement.reason;
 }

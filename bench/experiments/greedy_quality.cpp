@@ -9,6 +9,7 @@
 #include "algorithms/triangulate.hpp"
 #include "bench/experiments/listed.hpp"
 #include "bench/input.hpp"
+#include "datasets/dataset.hpp"
 
 #include <cmath>
 #include <set>

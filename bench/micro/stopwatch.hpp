@@ -4,6 +4,7 @@
 #include "bench/micro/subject.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,9 @@ struct StopwatchOptions {
   int rounds = 21;  ///< values per loop
   double milliseconds =
       2;  ///< the least that one value is taken over, unless a pass over all queries is longer
+  /// Called after each value's pass, outside the time taken. May be empty.
+  std::function<void(const SignLoop&)> after = {};
+  std::function<bool()> interrupted = {};  ///< asked after each round, which then is the last; may be empty
 };
 
 /// Nanoseconds of processor time per query: one vector of `rounds` values per loop. Within a round every loop

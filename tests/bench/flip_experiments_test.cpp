@@ -5,14 +5,6 @@
 namespace tribunal::bench {
 namespace {
 
-Row run_one(const std::string& block) {
-  const Plan plan = plan_of("[[cells]]\n" + block);
-  EXPECT_EQ(plan.cells.size(), 1u);
-  Row row = run_cell(plan.cells.at(0));
-  EXPECT_EQ(row.outcome, "ok") << row.reason;
-  return row;
-}
-
 TEST(FlipLaws, HoldForBothCriteria) {
   for (const char* criterion : {"delaunay", "minmax"}) {
     const Row row = run_one(

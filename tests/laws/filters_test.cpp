@@ -42,7 +42,8 @@ void expect_sound(const Query<Formula>& query, Sign truth, double width, Decided
   check(sign_beyond(determinant, error_bound_in_box<Formula>(width)), decided.by_box, "box");
   check(filtered_sign<Formula>(query), decided.by_points, "points");
   check(double_double_sign<Formula>(query), decided.by_double_doubles, "double-double");
-  check(detail::double_double_sign_here<Formula>(query), decided.by_double_doubles, "without instruction");
+  check(tribunal::detail::double_double_sign_here<Formula>(query), decided.by_double_doubles,
+        "without instruction");
 }
 
 template <int D>
@@ -125,7 +126,7 @@ TEST(DoubleDouble, IsTheSameWithAndWithoutTheInstruction) {
   for (const auto& family : families<2>())
     for (const auto& points : family.cases)
       ASSERT_EQ(double_double_sign<InSphere<2>>(points),
-                detail::double_double_sign_here<InSphere<2>>(points));
+                tribunal::detail::double_double_sign_here<InSphere<2>>(points));
 }
 
 /// The difference of two doubles is exact as a pair, whatever their exponents.
