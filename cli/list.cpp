@@ -154,11 +154,11 @@ int list(const ListOptions& options, Console& console) {
   for (const Listing& listing : listings) {
     if (options.what != listing.what) continue;
     const json entries = listing.entries();
-    if (console.json)
+    if (console.json) {
       print_json(console, {{options.what, entries}});
-    else
-      print_entries(console, entries, listing.columns);
-    if (console.json) return good;
+      return good;
+    }
+    print_entries(console, entries, listing.columns);
     if (options.what == "algorithms") print_parameters(console, entries);
     console.out << listing.note;
     return good;
