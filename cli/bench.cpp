@@ -74,13 +74,14 @@ void add_peers(bench::PredicateBenchOptions& plan, Console& console) {
 
 int bench(const BenchOptions& options, Console& console) try {
   if (options.what != "predicates") throw BadUsage("bench what? predicates, not '" + options.what + "'");
-  bench::PredicateBenchOptions plan{.subjects = chosen_subjects(options.backends),
-                                    .predicates = chosen_predicates(options.predicates),
-                                    .families = chosen_families(options.families),
-                                    .queries = options.queries,
-                                    .seed = options.seed,
-                                    .stopwatch = {.rounds = options.repetitions},
-                                    .progress = progress_printer(console)};
+  bench::PredicateBenchOptions plan;
+  plan.subjects = chosen_subjects(options.backends);
+  plan.predicates = chosen_predicates(options.predicates);
+  plan.families = chosen_families(options.families);
+  plan.queries = options.queries;
+  plan.seed = options.seed;
+  plan.stopwatch.rounds = options.repetitions;
+  plan.progress = progress_printer(console);
   std::optional<OwnOutput> output;
   if (options.peers) {
     output.emplace();

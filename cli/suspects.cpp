@@ -4,11 +4,13 @@
 #include "bench/outsider/probe.hpp"
 #include "bench/outsider/replay.hpp"
 #include "bench/sound_environment.hpp"
+#include "cli/console.hpp"
 #include "cli/lookup.hpp"
 #include "predicates/backends/list.hpp"
 #include "predicates/plugin/loader.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace tribunal::cli {
 namespace {

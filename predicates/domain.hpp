@@ -31,14 +31,19 @@ inline std::optional<Refusal> refuse_environment() {
   return Refusal{0, std::move(fault)};
 }
 
-/// What no backend accepts, as a refusal: an unsound environment, or the first point with a NaN or infinite
-/// coordinate.
+/// The first point with a NaN or infinite coordinate, as a refusal; nothing when all are finite.
 template <int D>
-std::optional<Refusal> refuse_unusable(std::span<const Point<D>> points) {
-  if (auto refusal = refuse_environment()) return refusal;
+std::optional<Refusal> refuse_non_finite(std::span<const Point<D>> points) {
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!is_finite(points[i])) return Refusal{i, "a coordinate is not finite"};
   return std::nullopt;
+}
+
+/// What no backend accepts, as a refusal: an unsound environment, or a coordinate that is not finite.
+template <int D>
+std::optional<Refusal> refuse_unusable(std::span<const Point<D>> points) {
+  if (auto refusal = refuse_environment()) return refusal;
+  return refuse_non_finite(points);
 }
 
 /// "x = 0.1": a coordinate as refusals name it, in the shortest decimals that read back to the same double.

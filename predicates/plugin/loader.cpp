@@ -33,7 +33,7 @@ auto batch_function(const tribunal_predicates& offer, Predicate predicate) {
 
 template <int D>
 Binding<PluginContext> bind_context(const tribunal_predicates& offer, std::span<const Point<D>> points) {
-  if (auto refusal = refuse_unusable(points)) return *refusal;
+  if (auto refusal = refuse_non_finite(points)) return *refusal;
   if (offer.bind == nullptr) return PluginContext(offer, nullptr);
   std::size_t refused = points.size();
   void* value = offer.bind(coordinates(points), points.size(), D, &refused);
