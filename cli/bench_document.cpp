@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <map>
 #include <ostream>
 #include <string>
 
@@ -32,7 +33,7 @@ json cell_document(const MicroCell& cell) {
                 {"predicate", to_string(cell.predicate)},
                 {"family", cell.family},
                 {"outcome", to_string(cell.outcome)}};
-  if (cell.outcome == MicroOutcome::out_of_domain) {
+  if (cell.outcome == MicroOutcome::out_of_domain || cell.outcome == MicroOutcome::at_fault) {
     document["reason"] = cell.reason;
     return document;
   }
@@ -86,6 +87,8 @@ std::string cell_text(const MicroCell& cell) {
       return "!" + digits(cell.wrong_rate(), 2);
     case MicroOutcome::out_of_domain:
       return "refused";
+    case MicroOutcome::at_fault:
+      return "at fault";
   }
   return {};
 }
@@ -147,6 +150,14 @@ void print_goals(Console& console, std::span<const MeasuredGoal> goals) {
   print_table(console, table);
 }
 
+void print_faults(Console& console, std::span<const MicroCell> cells) {
+  std::map<std::string, std::string> first;
+  for (const MicroCell& cell : cells)
+    if (cell.outcome == MicroOutcome::at_fault) first.emplace(cell.subject, cell.reason);
+  for (const auto& [subject, fault] : first)
+    console.out << '\n' << subject << " is at fault and has no speed: " << fault << '\n';
+}
+
 }  // namespace
 
 json bench_document(const bench::PredicateBenchOptions& plan, std::span<const MicroCell> cells,
@@ -167,10 +178,11 @@ json bench_document(const bench::PredicateBenchOptions& plan, std::span<const Mi
 void print_bench(Console& console, const bench::PredicateBenchOptions& plan, std::span<const MicroCell> cells,
                  std::span<const MeasuredGoal> goals) {
   const std::size_t block = plan.subjects.size() * plan.families.size();
-  for (std::size_t first = 0; first < cells.size(); first += block)
-    print_times(console, cells.subspan(first, block), plan.subjects.size());
+  for (std::size_t first = 0; first < cells.size(); first += block)  // the last is shorter after an interrupt
+    print_times(console, cells.subspan(first, std::min(block, cells.size() - first)), plan.subjects.size());
   print_stages(console, cells);
   print_goals(console, goals);
+  print_faults(console, cells);
   console.out << "\nns per query: median of " << plan.stopwatch.rounds << " rounds over " << plan.queries
               << " queries. !rate: wrong signs, hence no speed. refused: outside the domain.\n";
 }

@@ -1,70 +1,28 @@
 // tribunal fuzz: wrong signs hunted with hostile queries, against exact integers.
 #include "bench/fuzz/bytes.hpp"
-#include "bench/fuzz/hunt.hpp"
-#include "bench/fuzz/picture.hpp"
-#include "bench/interrupt.hpp"
+#include "bench/fuzz/corpus.hpp"
+#include "bench/outsider/replay.hpp"
 #include "cli/fuzz_report.hpp"
+#include "cli/hunting.hpp"
 #include "cli/lookup.hpp"
+#include "cli/output_folder.hpp"
 #include "cli/verbs.hpp"
 #include "datasets/files/files.hpp"
 #include "datasets/files/text.hpp"
-#include "predicates/backends/list.hpp"
-#include "predicates/plugin/loader.hpp"
+#include "predicates/plugin/library.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
+#include <cctype>
 #include <filesystem>
-#include <map>
-#include <ostream>
-#include <system_error>
-#include <unistd.h>
 
 namespace tribunal::cli {
 namespace {
 namespace fuzz_bench = bench::fuzz;
+using bench::shell_word;
 using fuzz_bench::Counterexample;
-using fuzz_bench::HuntReport;
-using fuzz_bench::Subject;
-using fuzz_bench::Tally;
 using nlohmann::json;
-
-/// What is on trial, and how the command line named it.
-struct Suspects {
-  std::vector<Subject> subjects;
-  std::map<std::string, std::string> plugins;  ///< the library of each subject that is a plug-in
-  bool named = false;                          ///< by the user: then none of them may be wrong
-};
-
-Subject load_plugin(const std::string& path) {
-  try {
-    const SharedLibrary library(path);
-    const auto plugin = PredicatePlugin::load(library);
-    if (!plugin) throw BadUsage(path + " offers no predicates");
-    return {.name = plugin->name(),
-            .exact = true,
-            .bind2 = [plugin](std::span<const Point2> points) { return plugin->bind2(points); },
-            .bind3 = [plugin](std::span<const Point3> points) { return plugin->bind3(points); },
-            .offers = [plugin](Predicate predicate) { return plugin->offers(predicate); }};
-  } catch (const PluginError& error) {
-    throw BadUsage(error.what());
-  }
-}
-
-Suspects suspects_of(const FuzzOptions& options) {
-  Suspects suspects;
-  for (const std::string& name : options.backends)
-    suspects.subjects.push_back(fuzz_bench::subject_of(backend_named(name)));
-  for (const std::string& path : options.plugins) {
-    suspects.subjects.push_back(load_plugin(path));
-    suspects.plugins[suspects.subjects.back().name] = path;
-  }
-  suspects.named = !suspects.subjects.empty();
-  if (!suspects.named)
-    for (const BackendEntry& entry : backends()) suspects.subjects.push_back(fuzz_bench::subject_of(entry));
-  return suspects;
-}
 
 fuzz_bench::OracleKind oracle_named(const std::string& name) {
   for (const auto kind : {fuzz_bench::OracleKind::staged, fuzz_bench::OracleKind::gmp})
@@ -72,14 +30,11 @@ fuzz_bench::OracleKind oracle_named(const std::string& name) {
   throw BadUsage("the oracle is staged or gmp, not '" + name + "'");
 }
 
-fuzz_bench::HuntOptions hunt_options(const FuzzOptions& options, const std::vector<Subject>& subjects) {
+fuzz_bench::HuntOptions hunt_options(const FuzzOptions& options) {
   fuzz_bench::HuntOptions hunt;
-  hunt.subjects = subjects;
   if (!options.predicates.empty()) hunt.predicates.clear();
-  for (const std::string& name : options.predicates) hunt.predicates.push_back(predicate_named(name));
-  for (const Subject& subject : subjects)
-    if (std::none_of(hunt.predicates.begin(), hunt.predicates.end(), subject.offers))
-      throw BadUsage("backend '" + subject.name + "' has none of these predicates");
+  for (const std::string& name : each_once(options.predicates))
+    hunt.predicates.push_back(predicate_named(name));
   hunt.seed = options.seed;
   hunt.queries = options.queries;
   hunt.seconds = options.seconds;
@@ -89,87 +44,109 @@ fuzz_bench::HuntOptions hunt_options(const FuzzOptions& options, const std::vect
   return hunt;
 }
 
-/// Prints now and then; goes on until the user interrupts.
-std::function<bool(const fuzz_bench::HuntProgress&)> progress_printer(Console& console,
-                                                                      bench::Interrupt& interrupt) {
-  using Clock = std::chrono::steady_clock;
-  const bool redraw = console.progress == Progress::automatic && isatty(STDERR_FILENO);
-  const auto pause = std::chrono::seconds(redraw ? 1 : 10);
-  return [=, &console, &interrupt, next = Clock::now() + pause](const fuzz_bench::HuntProgress& at) mutable {
-    if (console.progress == Progress::none || Clock::now() < next) return !interrupt.requested();
-    next = Clock::now() + pause;
-    if (console.progress == Progress::json)
-      console.log << json{{"checked", at.checked}, {"wrong", at.wrong}}.dump() << '\n' << std::flush;
-    else
-      console.log << (redraw ? "\r\033[K" : "") << at.checked << " queries checked, " << at.wrong
-                  << " wrong answers" << (redraw ? "" : "\n") << std::flush;
-    return !interrupt.requested();
-  };
-}
-
 /// The command that repeats a wrong answer.
-std::string replay_of(const Counterexample& found, const FuzzOptions& options, const Suspects& suspects) {
-  const auto plugin = suspects.plugins.find(found.backend);
-  const bool is_plugin = plugin != suspects.plugins.end();
-  const std::string subject = is_plugin ? "--plugin " + plugin->second : "--backend " + found.backend;
+std::string replay(const FuzzOptions& options, const Suspect& suspect, const Counterexample& found) {
+  const std::string subject = option_of(suspect);
   if (!found.alone) {  // it takes the points bound with it: the sequence up to there
     std::string command = "tribunal fuzz " + subject + " --seed " + std::to_string(options.seed) +
                           " --queries " + std::to_string(found.drawn);
     for (const std::string& name : options.predicates) command += " --predicate " + name;
-    return options.corpus.empty() ? command : command + " --corpus " + options.corpus;
+    return options.corpus.empty() ? command : command + " --corpus " + shell_word(options.corpus);
   }
-  const std::string query = fuzz_bench::query_text(found.asked);
-  if (is_plugin) return "tribunal try " + subject + " --query '" + query + "'";
-  return "tribunal sign " + query + " " + subject + " --backend gmp";
+  if (suspect.is_plugin()) return bench::replay_query(subject, found.asked);
+  return "tribunal sign " + fuzz_bench::query_text(found.asked) + " " + subject + " --backend gmp";
 }
 
-std::string write_picture(const std::string& folder, const Counterexample& found, const Subject& subject) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw BadInput(folder + ": " + error.message());
-  const auto file = std::filesystem::path(folder) /
-                    (found.backend + "-" + std::string(to_string(found.asked.predicate)) + ".svg");
-  write_text(file, fuzz_bench::picture_of(found, subject));
-  return file.string();
+HuntRequest request_of(const FuzzOptions& options) {
+  HuntRequest request{.suspects = suspects_of(options.backends, options.plugins),
+                      .hunt = hunt_options(options),
+                      .pictures = !options.picture.empty(),
+                      .replay_of = [&options](const Suspect& suspect, const Counterexample& found) {
+                        return replay(options, suspect, found);
+                      }};
+  for (const Suspect& suspect : request.suspects)
+    if (std::ranges::find_first_of(request.hunt.predicates, suspect.offered) == request.hunt.predicates.end())
+      throw BadUsage("backend '" + suspect.name + "' has none of these predicates");
+  return request;
 }
 
-std::vector<FuzzFinding> keep_findings(const HuntReport& report, const FuzzOptions& options,
-                                       const Suspects& suspects) {
-  std::vector<FuzzFinding> findings;
-  for (const Tally& tally : report.tallies) {
-    if (!tally.counterexample) continue;
-    const Counterexample& found = *tally.counterexample;
-    FuzzFinding finding{&found, replay_of(found, options, suspects), {}, {}};
-    if (!options.corpus.empty())
-      finding.file = fuzz_bench::save_to_corpus(options.corpus, {found.asked, found.exact}).string();
-    const auto subject = std::find_if(suspects.subjects.begin(), suspects.subjects.end(),
-                                      [&](const Subject& s) { return s.name == found.backend; });
-    if (!options.picture.empty()) finding.picture = write_picture(options.picture, found, *subject);
-    findings.push_back(std::move(finding));
+/// A file's name from an outsider's: what is neither letter nor digit is a dash, so that it cannot lead out
+/// of the folder.
+std::string file_name(std::string name) {
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return !std::isalnum(c) && c != '-' && c != '_' && c != '+'; }, '-');
+  return name;
+}
+
+/// Writes what is to be kept and says in the document where it is. Throws BadInput.
+void keep(HuntFound& found, const FuzzOptions& options) {
+  for (std::size_t i = 0; i < found.keepsakes.size(); ++i) {
+    json& shown = found.document["counterexamples"][i];
+    const Keepsake& kept = found.keepsakes[i];
+    const std::string name =
+        shown["backend"].get<std::string>() + "-" + shown["predicate"].get<std::string>();
+    if (!options.corpus.empty()) {
+      const auto entry = fuzz_bench::parse_corpus_entry("counterexample of " + name, kept.corpus);
+      shown["file"] = fuzz_bench::save_to_corpus(options.corpus, entry).string();
+    }
+    if (!options.picture.empty()) {
+      const auto file = std::filesystem::path(options.picture) / (file_name(name) + ".svg");
+      write_text(file, kept.picture);
+      shown["picture"] = file.string();
+    }
   }
-  return findings;
 }
 
-bool is_clean(const HuntReport& report, bool named) {
-  return report.oracle_faults.empty() && report.breaches.empty() &&
-         std::none_of(report.tallies.begin(), report.tallies.end(),
-                      [&](const Tally& tally) { return tally.wrong != 0 && (named || tally.exact); });
+bool is_clean(const json& document, bool named) {
+  return document["oracle"]["faults"].empty() && document["breaches"].empty() &&
+         std::ranges::none_of(document["backends"], [&](const json& tally) {
+           return tally["wrong"] != 0 && (named || tally["exact"] == true);
+         });
+}
+
+/// Which of those that were named has given no answer, and why; empty where all have. Nothing judged is no
+/// success.
+std::string unjudged(const json& document, const std::vector<Suspect>& suspects, bool named) {
+  if (document["checked"] == 0 && !named) return "no query was checked";
+  for (const Suspect& suspect : suspects) {
+    std::uint64_t checked = 0, refused = 0;
+    std::string refusal;
+    for (const json& tally : document["backends"]) {
+      if (tally["backend"] != suspect.name) continue;
+      checked += tally["checked"].get<std::uint64_t>();
+      refused += tally["refused"].get<std::uint64_t>();
+      if (refusal.empty()) refusal = tally.value("refusal", "");
+    }
+    if (!named || checked != 0) continue;
+    if (refused == 0) return suspect.name + ": nothing was judged, for nothing was asked";
+    return suspect.name + ": nothing was judged, for it refused all " + std::to_string(refused) +
+           " queries: " + refusal;
+  }
+  return {};
 }
 
 }  // namespace
 
-int fuzz(const FuzzOptions& options, Console& console) {
-  const Suspects suspects = suspects_of(options);
-  fuzz_bench::HuntOptions hunt = hunt_options(options, suspects.subjects);
-  HuntReport report;
-  {
-    bench::Interrupt interrupt;
-    hunt.progress = progress_printer(console, interrupt);
-    report = fuzz_bench::hunt(hunt);
+int fuzz(const FuzzOptions& options, Console& console) try {
+  const HuntRequest request = request_of(options);
+  for (const std::string& folder : {options.corpus, options.picture})
+    if (!folder.empty()) require_writable_folder(folder);
+  HuntFound found = run_hunt(request, console);
+  std::string trouble;  // told after what was found
+  try {
+    keep(found, options);
+  } catch (const BadInput& error) {
+    trouble = error.what();
   }
-  const std::vector<FuzzFinding> findings = keep_findings(report, options, suspects);
-  print_hunt(console, options.seed, report, findings);
-  return is_clean(report, suspects.named) ? good : judged_bad;
+  print_hunt(console, found.document);
+  if (!trouble.empty()) throw BadInput(trouble);
+  const bool named = !options.backends.empty() || !options.plugins.empty();
+  if (!is_clean(found.document, named)) return judged_bad;
+  if (const std::string idle = unjudged(found.document, request.suspects, named); !idle.empty())
+    throw BadUsage(idle);
+  return good;
+} catch (const PluginError& error) {
+  throw BadUsage(error.what());
 }
 
 }  // namespace tribunal::cli

@@ -35,22 +35,18 @@ json to_json(const Tally& tally) {
   return entry;
 }
 
-json to_json(const FuzzFinding& finding) {
-  const Counterexample& found = *finding.counterexample;
+json to_json(const Counterexample& found, const std::string& replay) {
   json points = json::array();
   for (const double c : found.asked.numbers()) points.push_back(bench::fuzz::hex_float(c));
-  json entry{{"backend", found.backend},
-             {"predicate", to_string(found.asked.predicate)},
-             {"points", points},
-             {"exact", std::string(1, to_char(found.exact))},
-             {"got", std::string(1, to_char(found.got))},
-             {"stage", to_string(found.stage)},
-             {"law", to_string(found.law)},
-             {"source", found.source},
-             {"replay", finding.replay}};
-  if (!finding.file.empty()) entry["file"] = finding.file;
-  if (!finding.picture.empty()) entry["picture"] = finding.picture;
-  return entry;
+  return {{"backend", found.backend},
+          {"predicate", to_string(found.asked.predicate)},
+          {"points", points},
+          {"exact", std::string(1, to_char(found.exact))},
+          {"got", std::string(1, to_char(found.got))},
+          {"stage", to_string(found.stage)},
+          {"law", to_string(found.law)},
+          {"source", found.source},
+          {"replay", replay}};
 }
 
 /// The oracle's own trial, in words.
@@ -62,68 +58,77 @@ std::vector<std::string> oracle_faults(const HuntReport& report) {
   return faults;
 }
 
-void print_document(Console& console, std::uint64_t seed, const HuntReport& report,
-                    std::span<const FuzzFinding> findings) {
-  json tallies = json::array(), counterexamples = json::array();
-  for (const Tally& tally : report.tallies) tallies.push_back(to_json(tally));
-  for (const FuzzFinding& finding : findings) counterexamples.push_back(to_json(finding));
-  print_json(console, {{"checked", report.checked},
-                       {"seconds", report.seconds ? json(*report.seconds) : json(nullptr)},
-                       {"seed", seed},
-                       {"oracle",
-                        {{"kind", to_string(report.oracle)},
-                         {"asked_gmp", report.asked_gmp},
-                         {"rechecked", report.rechecked},
-                         {"faults", oracle_faults(report)}}},
-                       {"breaches", report.breaches},
-                       {"backends", tallies},
-                       {"counterexamples", counterexamples}});
-}
-
-/// "filter 9948 (13 at the threshold), exact 80".
-std::string stages_text(const Tally& tally) {
+/// "filter 9948 (13), exact 80".
+std::string stages_text(const json& tally) {
   std::string text;
-  for (std::size_t s = 0; s < tally.stages.size(); ++s) {
-    if (tally.stages[s] == 0) continue;
-    text += (text.empty() ? "" : ", ") + std::string(stage_names[s]) + " " + std::to_string(tally.stages[s]);
-    if (tally.near_threshold[s] != 0) text += " (" + std::to_string(tally.near_threshold[s]) + ")";
+  for (const std::string_view stage : stage_names) {
+    const json &answers = tally["stages"], &near = tally["near_threshold"];
+    if (!answers.contains(stage)) continue;
+    text += (text.empty() ? "" : ", ") + std::string(stage) + " " + answers[stage].dump();
+    if (near.contains(stage)) text += " (" + near[stage].dump() + ")";
   }
   return text;
 }
 
-void print_text(Console& console, std::uint64_t seed, const HuntReport& report,
-                std::span<const FuzzFinding> findings) {
+std::string text_of(const json& value) { return value.get<std::string>(); }
+
+void print_tallies(Console& console, const json& tallies) {
   std::vector<std::vector<std::string>> rows{
       {"backend", "predicate", "checked", "refused", "wrong", "decided by (of a sample: at its threshold)"}};
-  for (const Tally& tally : report.tallies)
-    rows.push_back({tally.backend, std::string(to_string(tally.predicate)), std::to_string(tally.checked),
-                    std::to_string(tally.refused), std::to_string(tally.wrong), stages_text(tally)});
+  for (const json& tally : tallies)
+    rows.push_back({text_of(tally["backend"]), text_of(tally["predicate"]), tally["checked"].dump(),
+                    tally["refused"].dump(), tally["wrong"].dump(), stages_text(tally)});
   print_table(console, rows);
+}
+
+void print_counterexample(Console& console, const json& found) {
   console.out << '\n'
-              << report.checked << " queries checked, seed " << seed << "; oracle "
-              << to_string(report.oracle) << ": GMP asked about " << report.asked_gmp << ", of them "
-              << report.rechecked << " to check the filter\n";
-  for (const std::string& fault : oracle_faults(report))
-    console.out << "the oracle failed: " << fault << '\n';
-  for (const std::string& breach : report.breaches) console.out << breach << '\n';
-  for (const FuzzFinding& finding : findings) {
-    const Counterexample& found = *finding.counterexample;
-    console.out << '\n'
-                << found.backend << ' ' << to_string(found.asked.predicate) << ": exactly "
-                << to_char(found.exact) << ", got " << to_char(found.got) << " (" << to_string(found.stage)
-                << (found.law == bench::fuzz::Law::antisymmetry ? ", not antisymmetric" : "") << "; from "
-                << found.source << ")\n  " << finding.replay << '\n';
-    if (!finding.file.empty()) console.out << "  saved as " << finding.file << '\n';
-    if (!finding.picture.empty()) console.out << "  drawn in " << finding.picture << '\n';
-  }
+              << text_of(found["backend"]) << ' ' << text_of(found["predicate"]) << ": exactly "
+              << text_of(found["exact"]) << ", got " << text_of(found["got"]) << " ("
+              << text_of(found["stage"])
+              << (found["law"] == to_string(bench::fuzz::Law::antisymmetry) ? ", not antisymmetric" : "")
+              << "; from " << text_of(found["source"]) << ")\n  " << text_of(found["replay"]) << '\n';
+  if (found.contains("file")) console.out << "  saved as " << text_of(found["file"]) << '\n';
+  if (found.contains("picture")) console.out << "  drawn in " << text_of(found["picture"]) << '\n';
+}
+
+void print_text(Console& console, const json& document) {
+  const json& oracle = document["oracle"];
+  print_tallies(console, document["backends"]);
+  console.out << '\n'
+              << document["checked"] << " queries checked, seed " << document["seed"] << "; oracle "
+              << text_of(oracle["kind"]) << ": GMP asked about " << oracle["asked_gmp"] << ", of them "
+              << oracle["rechecked"] << " to check the filter\n";
+  for (const json& fault : oracle["faults"]) console.out << "the oracle failed: " << text_of(fault) << '\n';
+  for (const json& breach : document["breaches"]) console.out << text_of(breach) << '\n';
+  for (const json& found : document["counterexamples"]) print_counterexample(console, found);
 }
 
 }  // namespace
 
-void print_hunt(Console& console, std::uint64_t seed, const HuntReport& report,
-                std::span<const FuzzFinding> findings) {
-  console.json ? print_document(console, seed, report, findings)
-               : print_text(console, seed, report, findings);
+json hunt_document(std::uint64_t seed, const HuntReport& report,
+                   const std::function<std::string(const Counterexample&)>& replay_of) {
+  json tallies = json::array(), counterexamples = json::array();
+  for (const Tally& tally : report.tallies) {
+    tallies.push_back(to_json(tally));
+    if (tally.counterexample)
+      counterexamples.push_back(to_json(*tally.counterexample, replay_of(*tally.counterexample)));
+  }
+  return {{"checked", report.checked},
+          {"seconds", report.seconds ? json(*report.seconds) : json(nullptr)},
+          {"seed", seed},
+          {"oracle",
+           {{"kind", to_string(report.oracle)},
+            {"asked_gmp", report.asked_gmp},
+            {"rechecked", report.rechecked},
+            {"faults", oracle_faults(report)}}},
+          {"breaches", report.breaches},
+          {"backends", tallies},
+          {"counterexamples", counterexamples}};
+}
+
+void print_hunt(Console& console, const json& document) {
+  console.json ? print_json(console, document) : print_text(console, document);
 }
 
 }  // namespace tribunal::cli

@@ -4,21 +4,20 @@
 #include "bench/fuzz/hunt.hpp"
 #include "cli/console.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstdint>
-#include <span>
+#include <functional>
 #include <string>
 
 namespace tribunal::cli {
 
-/// What was found, how to repeat it, and where it was put.
-struct FuzzFinding {
-  const bench::fuzz::Counterexample* counterexample;
-  std::string replay;
-  std::string file, picture;  ///< empty: not written
-};
+/// As cli/schemas/fuzz.schema.json says; the counterexamples stand in the order of the tallies. `replay_of`
+/// gives the command that repeats a wrong answer.
+nlohmann::json hunt_document(std::uint64_t seed, const bench::fuzz::HuntReport& report,
+                             const std::function<std::string(const bench::fuzz::Counterexample&)>& replay_of);
 
-/// As JSON, or as a table of who was asked what and below it the counterexamples.
-void print_hunt(Console& console, std::uint64_t seed, const bench::fuzz::HuntReport& report,
-                std::span<const FuzzFinding> findings);
+/// The document, or as a table of who was asked what and below it the counterexamples.
+void print_hunt(Console& console, const nlohmann::json& document);
 
 }  // namespace tribunal::cli

@@ -12,6 +12,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <ostream>
+
 namespace tribunal::cli {
 namespace {
 using nlohmann::json;
@@ -136,10 +138,14 @@ int list(const ListOptions& options, Console& console) {
     const char* what;
     json (*entries)();
     std::vector<std::string> columns;
+    const char* note = "";  ///< below the table
   };
   const Listing listings[] = {
       {"algorithms", list_algorithms, {"name", "dimension", "cites", "summary"}},
-      {"backends", list_backends, {"name", "exact", "domain", "summary"}},
+      {"backends",
+       list_backends,
+       {"name", "exact", "domain", "summary"},
+       "\nEach exact one is also there as NAME+sos, which breaks in-sphere ties.\n"},
       {"datasets", list_datasets, {"name", "points", "summary"}},
       {"claims", list_claims, {"id", "expected", "source", "statement"}},
       {"formats", list_formats, {"name", "holds", "summary"}},
@@ -153,6 +159,7 @@ int list(const ListOptions& options, Console& console) {
     else
       print_entries(console, entries, listing.columns);
     if (!console.json && options.what == "algorithms") print_parameters(console, entries);
+    if (!console.json) console.out << listing.note;
     return good;
   }
   throw BadUsage("list what? algorithms, backends, datasets, claims, formats or peers, not '" + options.what +

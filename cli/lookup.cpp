@@ -4,6 +4,8 @@
 #include "cli/console.hpp"
 #include "predicates/backends/list.hpp"
 
+#include <algorithm>
+
 namespace tribunal::cli {
 namespace {
 
@@ -70,6 +72,13 @@ Settings settings_for(std::string_view owner, std::span<const Parameter> paramet
   const std::string reason = refuse_settings(owner, parameters, settings);
   if (!reason.empty()) throw BadUsage(reason);
   return settings;
+}
+
+std::vector<std::string> each_once(std::span<const std::string> names) {
+  std::vector<std::string> once;
+  for (const std::string& name : names)
+    if (std::ranges::find(once, name) == once.end()) once.push_back(name);
+  return once;
 }
 
 std::vector<Point2> generate(const Dataset& dataset, std::uint64_t n, std::uint64_t seed) {

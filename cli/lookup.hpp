@@ -30,6 +30,9 @@ const MeshOptimizer& optimizer_named(const std::string& name);
 Settings settings_for(std::string_view owner, std::span<const Parameter> parameters,
                       const std::vector<std::string>& texts);
 
+/// The names in their order, those said twice once.
+std::vector<std::string> each_once(std::span<const std::string> names);
+
 /// n points of the dataset; n = 0: all of one of fixed size, 1000 of any other.
 std::vector<Point2> generate(const Dataset& dataset, std::uint64_t n, std::uint64_t seed);
 

@@ -1,5 +1,6 @@
 // The program: parses the command line, calls the verb, turns exceptions into one line and an exit status.
 #include "cli/console.hpp"
+#include "cli/numbers.hpp"
 #include "cli/verbs.hpp"
 #include "datasets/files/files.hpp"
 #include "predicates/environment.hpp"
@@ -52,6 +53,20 @@ std::string check_whole_number(const std::string& text) {
     return "'" + text + "' is no whole number from 0 to 2^64 - 1";
   return {};
 }
+
+/// A time to wait: more than nothing, and less than what clocks can count.
+std::string check_seconds(const std::string& text) {
+  constexpr double three_years = 1e8;
+  try {
+    const double seconds = parse_number(text);
+    if (seconds > 0 && seconds <= three_years) return {};
+  } catch (const BadUsage&) {  // the library names the option, and the sentence below says it all
+  }
+  return "'" + text + "' is no number of seconds above 0 and up to 1e8";
+}
+
+/// An empty word where a name is wanted is a script's unset variable.
+std::string check_not_empty(const std::string& text) { return text.empty() ? "must not be empty" : ""; }
 
 /// The command line: every verb with its options, and what to run once one was given.
 class CommandLine {
@@ -217,12 +232,15 @@ class CommandLine {
     auto& o = try_options;
     auto* verb = add_verb("try", "an outsider's predicates or triangulator over every hard input",
                           "tribunal try --plugin build/peers/cgal_epick.so", o, try_outsider);
-    verb->add_option("--plugin", o.plugin, "a shared library, see docs/plugins.md");
+    verb->add_option("--plugin", o.plugin, "a shared library, see docs/plugins.md")->check(check_not_empty);
     verb->add_option("--command", o.command,
-                     "a shell command with {points} and {mesh}, or {points.node}, {mesh.ele} and the like");
-    verb->add_option("--query", o.query, "only this query, e.g. 'orient2d 0 0 1 1 2 2'");
-    verb->add_option("--points", o.points, "only this file of points, - for standard input");
-    verb->add_option("--dataset", o.dataset, "only this dataset");
+                     "a shell command with {points} and {mesh}, or {points.node}, {mesh.ele} and the like")
+        ->check(check_not_empty);
+    verb->add_option("--query", o.query, "only this query, e.g. 'orient2d 0 0 1 1 2 2'")
+        ->check(check_not_empty);
+    verb->add_option("--points", o.points, "only this file of points, - for standard input")
+        ->check(check_not_empty);
+    verb->add_option("--dataset", o.dataset, "only this dataset")->check(check_not_empty);
     verb->add_option("-n", o.n, "points of each dataset")
         ->check(check_whole_number)
         ->capture_default_str()
@@ -231,11 +249,14 @@ class CommandLine {
         ->check(check_whole_number)
         ->capture_default_str()
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000}));
-    verb->add_option("--seconds", o.seconds, "wall clock that one exercise may take")->capture_default_str();
+    verb->add_option("--seconds", o.seconds, "wall clock that one exercise may take")
+        ->check(check_seconds)
+        ->capture_default_str();
     verb->add_option("--seed", o.seed, "seed of the random numbers")
         ->check(check_whole_number)
         ->capture_default_str();
-    verb->add_option("--picture", o.picture, "folder for pictures of counterexamples");
+    verb->add_option("--picture", o.picture, "folder for pictures of counterexamples")
+        ->check(check_not_empty);
   }
   void add_fuzz() {
     auto& o = fuzz_options;
@@ -245,9 +266,10 @@ class CommandLine {
     verb->add_option("--predicate", o.predicates, "only this predicate; may be repeated")
         ->allow_extra_args(false);
     verb->add_option("--plugin", o.plugins, "a shared library's predicates; may be repeated")
+        ->check(check_not_empty)
         ->allow_extra_args(false);
     verb->add_option("--seconds", o.seconds, "stop after so many; default 10 where --queries is not given")
-        ->check(CLI::PositiveNumber);
+        ->check(check_seconds);
     verb->add_option("--queries", o.queries, "stop after so many queries: the same output every time")
         ->check(check_whole_number);
     verb->add_option("--seed", o.seed, "seed of the sequence of queries")
@@ -255,8 +277,10 @@ class CommandLine {
         ->capture_default_str();
     verb->add_option("--oracle", o.oracle, "staged (a certified filter, GMP where it fails) or gmp")
         ->capture_default_str();
-    verb->add_option("--corpus", o.corpus, "folder of cases to ask first; counterexamples are added");
-    verb->add_option("--picture", o.picture, "folder for pictures of the counterexamples");
+    verb->add_option("--corpus", o.corpus, "folder of cases to ask first; counterexamples are added")
+        ->check(check_not_empty);
+    verb->add_option("--picture", o.picture, "folder for pictures of the counterexamples")
+        ->check(check_not_empty);
   }
   void add_run() {
     auto& o = run_options;

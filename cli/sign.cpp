@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -65,7 +66,7 @@ int sign(const SignOptions& options, Console& console) {
                    std::to_string(options.numbers.size()) + " given");
 
   std::vector<const BackendEntry*> asked;
-  for (const std::string& name : options.backends) asked.push_back(&backend_named(name));
+  for (const std::string& name : each_once(options.backends)) asked.push_back(&backend_named(name));
   if (asked.empty())
     for (const BackendEntry& entry : backends()) asked.push_back(&entry);
 
@@ -88,6 +89,9 @@ int sign(const SignOptions& options, Console& console) {
     print_json(console, {{"predicate", options.predicate}, {"signs", signs}});
   else
     print_table(console, table);
+  // Printed first: the reasons are the answer.
+  if (std::ranges::all_of(signs, [](const auto& answer) { return answer["sign"] == "out_of_domain"; }))
+    throw BadUsage(options.predicate + ": out of the domain of every backend that was asked");
   return good;
 }
 

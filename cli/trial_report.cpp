@@ -57,7 +57,7 @@ json report_json(const TrialReport& report) {
   for (const Counterexample& c : report.result.counterexamples)
     counterexamples.push_back(counterexample_json(c));
   return {{"outsider", {{"name", report.name}, {"cites", report.cites}, {"summary", report.summary}}},
-          {"clean", is_clean(report.result)},
+          {"clean", is_clean(report)},
           {"exercises", exercises},
           {"counterexamples", counterexamples}};
 }
@@ -122,9 +122,10 @@ void draw(const std::filesystem::path& file, const Counterexample& c) {
 
 }  // namespace
 
-bool is_clean(const bench::TrialResult& result) {
-  const auto& all = result.exercises;
-  return std::ranges::none_of(all, [](const Exercise& e) { return failed(e.finding); }) &&
+bool is_clean(const TrialReport& report) {
+  const auto& all = report.result.exercises;
+  return !report.interrupted &&
+         std::ranges::none_of(all, [](const Exercise& e) { return failed(e.finding); }) &&
          std::ranges::any_of(all, [](const Exercise& e) { return e.finding == Finding::right; });
 }
 
@@ -140,11 +141,12 @@ void print_trial(const TrialReport& report, Console& console) {
   print_counterexamples(report.result.counterexamples, console);
   const auto count = [&](auto test) { return std::ranges::count_if(exercises, test); };
   console.out << '\n'
-              << (is_clean(report.result) ? "clean: " : "not clean: ")
+              << (is_clean(report) ? "clean: " : "not clean: ")
               << count([](const Exercise& e) { return e.finding == Finding::right; }) << " right, "
               << count([](const Exercise& e) { return failed(e.finding); }) << " failed, "
               << count([](const Exercise& e) { return e.finding == Finding::refused; }) << " refused, "
-              << count([](const Exercise& e) { return e.finding == Finding::untried; }) << " untried\n";
+              << count([](const Exercise& e) { return e.finding == Finding::untried; }) << " untried"
+              << (report.interrupted ? "; interrupted" : "") << '\n';
 }
 
 void draw_counterexamples(const std::filesystem::path& folder,

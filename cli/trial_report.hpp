@@ -13,10 +13,12 @@ namespace tribunal::cli {
 struct TrialReport {
   std::string name, cites, summary;  ///< of the outsider
   bench::TrialResult result;
+  bool interrupted = false;  ///< by the user: the result is what there was by then
 };
 
-/// True when nothing failed and something was right: an outsider that refuses everything has shown nothing.
-bool is_clean(const bench::TrialResult& result);
+/// True when all was tried, nothing failed and something was right: an outsider that refuses everything has
+/// shown nothing.
+bool is_clean(const TrialReport& report);
 
 /// As JSON, or a table for each kind of task, then the counterexamples with their replays.
 void print_trial(const TrialReport& report, Console& console);

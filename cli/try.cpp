@@ -1,4 +1,5 @@
 // tribunal try: an outsider's predicates or triangulator over the whole zoo of hard inputs.
+#include "bench/interrupt.hpp"
 #include "bench/outsider/command.hpp"
 #include "bench/outsider/mesh_trial.hpp"
 #include "bench/outsider/plugin_triangulator.hpp"
@@ -6,6 +7,7 @@
 #include "bench/outsider/probe.hpp"
 #include "cli/lookup.hpp"
 #include "cli/numbers.hpp"
+#include "cli/output_folder.hpp"
 #include "cli/progress.hpp"
 #include "cli/scratch.hpp"
 #include "cli/trial_report.hpp"
@@ -49,8 +51,12 @@ class Trial {
     trial_options_ = {.seed = options.seed,
                       .queries = options.queries,
                       .points = options.n,
-                      .limits = {.seconds = options.seconds}};
+                      .limits = {.seconds = options.seconds},
+                      .wake = interrupt_.descriptor()};
   }
+
+  /// By the user: what there is is not all.
+  bool interrupted() { return interrupt_.requested(); }
 
   TrialResult of_plugin(const PluginAbout& about) {
     TrialResult result;
@@ -60,9 +66,9 @@ class Trial {
     if (about.triangulator) progress_.total += datasets_to_try().size();
     if (whole_zoo() && about.predicates)
       append(result, try_predicates(options_.plugin, about.offered, trial_options_, watcher()));
-    if (about.triangulator)
+    if (about.triangulator && !interrupted())
       append(result, of_triangulator(PluginTriangulator(options_.plugin)));
-    else if (!whole_zoo())
+    else if (!about.triangulator && !whole_zoo())
       throw BadUsage(options_.plugin + ": offers no triangulator for --points or --dataset");
     return result;
   }
@@ -101,10 +107,12 @@ class Trial {
       ++progress_.done;
       progress_.failures += failed(exercise.finding);
       if (print_) print_(progress_);
+      return !interrupt_.requested();
     };
   }
 
   const TryOptions& options_;
+  Interrupt interrupt_;
   TrialOptions trial_options_;
   bench::Progress progress_;
   std::function<void(const bench::Progress&)> print_;
@@ -115,13 +123,13 @@ void check_options(const TryOptions& options) {
     throw BadUsage("one of --plugin and --command is wanted");
   const int inputs = !options.query.empty() + !options.points.empty() + !options.dataset.empty();
   if (inputs > 1) throw BadUsage("one of --query, --points and --dataset at a time");
-  if (!(options.seconds > 0)) throw BadUsage("--seconds must be more than 0");
 }
 
 }  // namespace
 
 int try_outsider(const TryOptions& options, Console& console) {
   check_options(options);
+  if (!options.picture.empty()) require_writable_folder(options.picture);
   try {
     Trial trial(options, console);
     TrialReport report;
@@ -131,13 +139,19 @@ int try_outsider(const TryOptions& options, Console& console) {
       report = {.name = offer.name,
                 .cites = offer.cites,
                 .summary = offer.summary,
-                .result = trial.of_plugin(about)};
+                .result = trial.of_plugin(about),
+                .interrupted = false};
     } else {
-      report = {.name = options.command, .cites = {}, .summary = {}, .result = trial.of_command()};
+      report = {.name = options.command,
+                .cites = {},
+                .summary = {},
+                .result = trial.of_command(),
+                .interrupted = false};
     }
-    if (!options.picture.empty()) draw_counterexamples(options.picture, report.result.counterexamples);
+    report.interrupted = trial.interrupted();
     print_trial(report, console);
-    return is_clean(report.result) ? good : judged_bad;
+    if (!options.picture.empty()) draw_counterexamples(options.picture, report.result.counterexamples);
+    return is_clean(report) ? good : judged_bad;
   } catch (const PluginError& error) {
     throw BadInput(error.what());
   }

@@ -24,8 +24,9 @@ FloatingPointWitness witness_floating_point() {
 }
 
 std::string describe_fault(const FloatingPointWitness& witness) {
-  if (!witness.no_contraction) return "products and sums are contracted to fused multiply-adds";
+  // First, for another rounding mode looks like contraction, too.
   if (!witness.round_to_nearest) return "the rounding mode is not to nearest";
+  if (!witness.no_contraction) return "products and sums are contracted to fused multiply-adds";
   if (!witness.subnormals) return "subnormal numbers are flushed to zero";
   if (!witness.double_precision) return "expressions are evaluated in extended precision";
   return {};

@@ -21,6 +21,7 @@ class IntegerBox {
   /// The box of the points, or the first of them that is not of integers or makes it wider than `width` <
   /// 2^53.
   static Binding<IntegerBox> find(std::span<const Point<D>> points, double width) {
+    if (auto refusal = refuse_environment()) return *refusal;
     IntegerBox box;
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (!is_finite(points[i])) return Refusal{i, "a coordinate is not finite"};

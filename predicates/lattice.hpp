@@ -75,6 +75,7 @@ class Lattice {
 template <int D>
 Binding<Lattice> Lattice::find(std::span<const Point<D>> points) {
   static_assert(D <= 3);
+  if (auto refusal = refuse_environment()) return *refusal;
   Lattice lattice;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!is_finite(points[i])) return Refusal{i, "a coordinate is not finite"};

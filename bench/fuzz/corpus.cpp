@@ -89,7 +89,11 @@ std::vector<CorpusEntry> load_corpus(const fs::path& folder) {
   if (error) throw BadInput(name_of(folder) + ": " + error.message());
   std::sort(files.begin(), files.end());
   std::vector<CorpusEntry> entries;
-  for (const fs::path& file : files) entries.push_back(parse_corpus_entry(file.string(), read_text(file)));
+  for (const fs::path& file : files) {
+    if (!fs::is_regular_file(file, error))
+      throw BadInput(name_of(file) + ": no regular file");  // a pipe hangs
+    entries.push_back(parse_corpus_entry(file.string(), read_text(file)));
+  }
   return entries;
 }
 

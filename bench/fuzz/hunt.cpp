@@ -65,10 +65,10 @@ class Hunt {
 
   double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
-  bool finished() const {
-    return stopped_ || (options_.queries && drawn_ >= *options_.queries) ||
-           (options_.seconds && elapsed() >= *options_.seconds);
-  }
+  bool finished() const { return interrupted() || (options_.queries && drawn_ >= *options_.queries); }
+
+  /// By the user or the clock, which end a long corpus, too.
+  bool interrupted() const { return stopped_ || (options_.seconds && elapsed() >= *options_.seconds); }
 
   std::size_t next_size() const {
     return options_.queries ? std::min<std::uint64_t>(batch_queries, *options_.queries - drawn_)
@@ -77,6 +77,7 @@ class Hunt {
 
   void replay_corpus() {
     for (const CorpusEntry& entry : options_.corpus) {
+      if (interrupted()) return;
       const auto predicate =
           std::find(options_.predicates.begin(), options_.predicates.end(), entry.asked.predicate);
       if (predicate == options_.predicates.end()) continue;

@@ -1,19 +1,12 @@
 #include "bench/fuzz/subject.hpp"
 
+#include "bench/fuzz/points_of.hpp"
+
 #include <cassert>
 #include <utility>
 
 namespace tribunal::bench::fuzz {
 namespace {
-
-template <int D>
-std::vector<Point<D>> points_of_all(std::span<const Case> cases) {
-  std::vector<Point<D>> points;
-  points.reserve(cases.size() * 5);
-  for (const Case& asked : cases)
-    for (int i = 0; i < asked.points(); ++i) points.push_back(point_of<D>(asked, i));
-  return points;
-}
 
 template <int D>
 bool all_admitted(const auto& kernel, const Case& asked) {

@@ -1,4 +1,3 @@
-#include "bench/micro/query_at.hpp"
 #include "bench/micro/subject.hpp"
 #include "predicates/backends/all.hpp"
 #include "predicates/formulas/with_formula.hpp"
@@ -13,10 +12,8 @@ namespace {
 template <class B, class Formula>
 class BackendLoop final : public SignLoop {
  public:
-  BackendLoop(B backend, std::span<const Point<Formula::dimension>> points) : backend_(std::move(backend)) {
-    for (std::size_t i = 0; i < points.size() / Formula::points; ++i)
-      queries_.push_back(query_at<Formula>(points, i));
-  }
+  BackendLoop(B backend, std::span<const Query<Formula>> queries)
+      : backend_(std::move(backend)), queries_(queries) {}
 
   void sign(std::span<Sign> signs) const override {
     for (std::size_t i = 0; i < signs.size(); ++i) {
@@ -33,17 +30,17 @@ class BackendLoop final : public SignLoop {
 
  private:
   B backend_;
-  std::vector<Query<Formula>> queries_;  // as arrays: copying each from a list of points would be timed, too
+  std::span<const Query<Formula>> queries_;
 };
 
 template <class B>
 SignLoopBinding bind(const QuerySet& queries) {
   return with_formula(queries.predicate, [&]<class Formula>() -> SignLoopBinding {
     if constexpr (Backend<B, Formula::dimension>) {
-      const auto points = queries.points<Formula::dimension>();
-      Binding<B> bound = B::bind(points);
+      Binding<B> bound = B::bind(queries.points<Formula::dimension>());
       if (auto* refusal = std::get_if<Refusal>(&bound)) return std::move(*refusal);
-      return std::make_unique<const BackendLoop<B, Formula>>(std::get<B>(std::move(bound)), points);
+      return std::make_unique<const BackendLoop<B, Formula>>(std::get<B>(std::move(bound)),
+                                                             queries.arguments<Formula>());
     } else {
       return Refusal{0, "it has no predicates in space"};
     }

@@ -16,6 +16,7 @@ const MicroCell* find(std::span<const MicroCell> cells, std::string_view subject
 
 std::string why_untimed(const MicroCell* cell, std::string_view subject) {
   if (!cell) return std::string(subject) + " was not asked";
+  if (cell->outcome == MicroOutcome::at_fault) return std::string(subject) + ": " + cell->reason;
   return std::string(subject) + (cell->wrong != 0 ? " gives wrong signs" : " refuses: " + cell->reason);
 }
 

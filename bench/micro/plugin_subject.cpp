@@ -1,26 +1,22 @@
 #include "bench/micro/subject.hpp"
 #include "predicates/plugin/library.hpp"
-#include "predicates/plugin/tribunal_predicates.h"
+#include "predicates/plugin/loader.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
+#include <utility>
 
 namespace tribunal::bench {
 namespace {
 
-using Batch = decltype(tribunal_predicates::orient2d_batch);
-
-/// What a plug-in's bind returned, released with its last owner.
-using Context = std::unique_ptr<void, void (*)(void*)>;
-
 class PluginLoop final : public SignLoop {
  public:
-  PluginLoop(Batch batch, Context context, const QuerySet& queries)
-      : batch_(batch), context_(std::move(context)), coordinates_(queries.coordinates()) {}
+  PluginLoop(PluginBatch batch, const QuerySet& queries)
+      : batch_(std::move(batch)), coordinates_(queries.coordinates()) {}
 
   void sign(std::span<Sign> signs) const override {
     static_assert(sizeof(Sign) == sizeof(std::int8_t));
-    batch_(context_.get(), coordinates_, signs.size(), reinterpret_cast<std::int8_t*>(signs.data()));
+    batch_.answer(coordinates_, {reinterpret_cast<std::int8_t*>(signs.data()), signs.size()});
   }
   void decide(std::span<Decision> decisions) const override {
     std::vector<Sign> signs(decisions.size());
@@ -31,36 +27,26 @@ class PluginLoop final : public SignLoop {
   }
 
  private:
-  Batch batch_;
-  Context context_;
+  PluginBatch batch_;
   const double* coordinates_;
 };
 
-SignLoopBinding bind(const tribunal_predicates& offer, const QuerySet& queries) {
-  const std::array batches{offer.orient2d_batch, offer.incircle_batch, offer.orient3d_batch,
-                           offer.insphere_batch};
-  const Batch batch = batches[static_cast<std::size_t>(queries.predicate)];
-  if (batch == nullptr) return Refusal{0, "it offers no batch of this predicate"};
-  const auto keep = [](void*) {};
-  Context context(nullptr, offer.release != nullptr ? offer.release : keep);
-  if (offer.bind != nullptr) {
-    const std::size_t points = queries.count * static_cast<std::size_t>(points_of(queries.predicate));
-    std::size_t refused = points;
-    void* bound = offer.bind(queries.coordinates(), points, dimension_of(queries.predicate), &refused);
-    if (refused < points) return Refusal{refused, "refused by the plug-in"};
-    context.reset(bound);
-  }
-  return std::make_unique<const PluginLoop>(batch, std::move(context), queries);
+template <int D>
+SignLoopBinding bind(const PredicatePlugin& plugin, const QuerySet& queries) {
+  Binding<PluginBatch> bound = plugin.bind_batch<D>(queries.predicate, queries.points<D>());
+  if (auto* refusal = std::get_if<Refusal>(&bound)) return std::move(*refusal);
+  return std::make_unique<const PluginLoop>(std::get<PluginBatch>(std::move(bound)), queries);
 }
 
 }  // namespace
 
 Subject plugin_subject(const std::string& module_path) {
   const SharedLibrary library(module_path);
-  const auto* offer =
-      library.offer<tribunal_predicates>("tribunal_predicates_entry", TRIBUNAL_PLUGIN_VERSION);
-  if (offer == nullptr) library.refuse("defines no tribunal_predicates_entry");
-  return {offer->name, false, [offer](const QuerySet& queries) { return bind(*offer, queries); }};
+  const auto plugin = PredicatePlugin::load(library);
+  if (!plugin) library.refuse("defines no tribunal_predicates_entry");
+  return {plugin->name(), false, [plugin = *plugin](const QuerySet& queries) {
+            return dimension_of(queries.predicate) == 2 ? bind<2>(plugin, queries) : bind<3>(plugin, queries);
+          }};
 }
 
 }  // namespace tribunal::bench

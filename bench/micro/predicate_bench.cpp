@@ -1,5 +1,7 @@
 #include "bench/micro/predicate_bench.hpp"
 
+#include "bench/sound_environment.hpp"
+
 #include <chrono>
 
 namespace tribunal::bench {
@@ -19,9 +21,23 @@ void check(const SignLoop& loop, std::span<const Sign> truth, MicroCell& cell) {
   cell.outcome = cell.wrong == 0 ? MicroOutcome::timed : MicroOutcome::wrong_signs;
 }
 
-/// Binds and checks every subject. loops[i] is null where there is nothing to be timed.
+/// Binds and checks one subject; null where there is nothing to be timed.
+std::unique_ptr<const SignLoop> check_subject(const Subject& subject, const QuerySet& queries,
+                                              std::span<const Sign> truth, MicroCell& cell) {
+  SignLoopBinding bound = subject.bind(queries);
+  if (const auto* refusal = std::get_if<Refusal>(&bound)) {
+    cell.reason = refusal->reason;
+    return nullptr;
+  }
+  check(*std::get<0>(bound), truth, cell);
+  cell.broke_promise = subject.promises_exactness && cell.wrong != 0;
+  return cell.wrong == 0 ? std::get<0>(std::move(bound)) : nullptr;
+}
+
+/// loops[i] is null where there is nothing to be timed.
 std::vector<MicroCell> check_all(const PredicateBenchOptions& options, const QuerySet& queries,
                                  std::string_view family, Loops& loops) {
+  const SoundEnvironment environment;
   const std::vector<Sign> truth = exact_signs(queries);
   std::vector<MicroCell> cells;
   for (const Subject& subject : options.subjects) {
@@ -29,18 +45,30 @@ std::vector<MicroCell> check_all(const PredicateBenchOptions& options, const Que
     cell.subject = subject.name;
     cell.predicate = queries.predicate;
     cell.family = family;
-    SignLoopBinding bound = subject.bind(queries);
     auto& loop = loops.emplace_back();
-    if (const auto* refusal = std::get_if<Refusal>(&bound)) {
-      cell.reason = refusal->reason;
+    if (const auto found = options.faults.find(subject.name); found != options.faults.end()) {
+      cell.accuse(found->second);
       continue;
     }
-    loop = std::get<0>(std::move(bound));
-    check(*loop, truth, cell);
-    cell.broke_promise = subject.promises_exactness && cell.wrong != 0;
-    if (cell.wrong != 0) loop.reset();
+    loop = check_subject(subject, queries, truth, cell);
+    if (const std::string fault = environment.restore(); !fault.empty()) {
+      cell.accuse(fault + " after it was asked");
+      loop.reset();
+      environment.restore();
+    }
   }
   return cells;
+}
+
+/// Nanoseconds of every loop, and the faults of those that were found out only now.
+std::vector<std::vector<double>> time_all(std::span<const SignLoop* const> timed, std::size_t queries,
+                                          StopwatchOptions stopwatch,
+                                          std::map<const SignLoop*, std::string>& faults) {
+  const SoundEnvironment environment;
+  stopwatch.after = [&](const SignLoop& loop) {
+    if (std::string fault = environment.restore(); !fault.empty()) faults.emplace(&loop, std::move(fault));
+  };
+  return time_side_by_side(timed, queries, stopwatch);
 }
 
 std::vector<MicroCell> bench_family(const PredicateBenchOptions& options, Predicate predicate,
@@ -51,10 +79,21 @@ std::vector<MicroCell> bench_family(const PredicateBenchOptions& options, Predic
   std::vector<const SignLoop*> timed;
   for (const auto& loop : loops)
     if (loop) timed.push_back(loop.get());
-  auto times = time_side_by_side(timed, queries.count, options.stopwatch);
+  std::map<const SignLoop*, std::string> faults;
+  StopwatchOptions stopwatch = options.stopwatch;
+  stopwatch.interrupted = options.interrupted;
+  auto times = time_all(timed, queries.count, stopwatch, faults);
+  const SoundEnvironment environment;
   auto next = times.begin();
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    if (loops[i]) cells[i].nanoseconds = std::move(*next++);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!loops[i]) continue;
+    cells[i].nanoseconds = std::move(*next++);
+    if (const auto found = faults.find(loops[i].get()); found != faults.end())
+      cells[i].accuse(found->second + " while it was timed");
+    loops[i].reset();
+    if (const std::string fault = environment.restore(); !fault.empty())
+      cells[i].accuse(fault + " after it was released");
+  }
   return cells;
 }
 
@@ -76,6 +115,7 @@ std::vector<MicroCell> bench_predicates(const PredicateBenchOptions& options) {
       progress.seconds_left = elapsed.count() * static_cast<double>(progress.total - progress.done) /
                               static_cast<double>(progress.done);
       if (options.progress) options.progress(progress);
+      if (options.interrupted && options.interrupted()) return all;
     }
   return all;
 }

@@ -1,8 +1,9 @@
 #include "bench/micro/query_set.hpp"
 
-#include "bench/micro/query_at.hpp"
 #include "predicates/backends/exact_sign.hpp"
 #include "predicates/formulas/with_formula.hpp"
+
+#include <algorithm>
 
 namespace tribunal::bench {
 
@@ -19,9 +20,8 @@ QuerySet draw_query_set(const QueryFamily& family, Predicate predicate, std::siz
 std::vector<Sign> exact_signs(const QuerySet& queries) {
   std::vector<Sign> signs(queries.count);
   with_formula(queries.predicate, [&]<class Formula>() {
-    const auto points = queries.points<Formula::dimension>();
-    for (std::size_t i = 0; i < queries.count; ++i)
-      signs[i] = exact_sign<Formula>(query_at<Formula>(points, i));
+    std::transform(queries.arguments<Formula>().begin(), queries.arguments<Formula>().end(), signs.begin(),
+                   exact_sign<Formula>);
   });
   return signs;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "datasets/queries/queries.hpp"
+#include "predicates/formulas/query.hpp"
 #include "predicates/point.hpp"
 #include "predicates/predicate.hpp"
 #include "predicates/sign.hpp"
@@ -24,6 +25,12 @@ struct QuerySet {
   std::span<const Point<D>> points() const {
     if constexpr (D == 2) return planar;
     if constexpr (D == 3) return spatial;
+  }
+  /// The same as arguments of their formula, in place: subjects that all read one copy keep it in the caches.
+  template <class Formula>
+  std::span<const Query<Formula>> arguments() const {
+    static_assert(sizeof(Query<Formula>) == Formula::points * sizeof(Point<Formula::dimension>));
+    return {reinterpret_cast<const Query<Formula>*>(points<Formula::dimension>().data()), count};
   }
   /// All coordinates, as a C interface takes them.
   const double* coordinates() const {

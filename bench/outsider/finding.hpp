@@ -69,10 +69,14 @@ struct TrialOptions {
   std::uint64_t queries = 10'000;  ///< of each predicate and family
   std::uint64_t points = 200;      ///< of each dataset
   Limits limits{.seconds = 5};     ///< of each exercise
+  int wake = -1;                   ///< a descriptor that becomes readable where the trial is to end; -1: none
 };
 
-/// Called after each exercise.
-using Watcher = std::function<void(const Exercise&)>;
+/// Called after each exercise; the trial goes on where it returns true.
+using Watcher = std::function<bool(const Exercise&)>;
+
+/// Why an exercise is untried when the trial was ended in the middle of it.
+inline constexpr std::string_view interrupted_reason = "interrupted";
 
 struct TrialResult {
   std::vector<Exercise> exercises;

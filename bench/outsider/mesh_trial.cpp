@@ -3,6 +3,7 @@
 #include "algorithms/verify/verify.hpp"
 #include "bench/outsider/normalise.hpp"
 #include "bench/outsider/replay.hpp"
+#include "bench/outsider/watched.hpp"
 #include "datasets/files/files.hpp"
 
 #include <nlohmann/json.hpp>
@@ -54,10 +55,13 @@ Attempt judge(std::span<const Point2> points, OutsiderMesh mesh) {
           std::move(triangles)};
 }
 
-Attempt attempt(const Triangulator& triangulator, std::span<const Point2> points, const Limits& limits) {
-  const Ending ending = run_sandboxed([&] { return json(triangulator.triangulate(points)).dump(); }, limits);
-  if (ending.outcome != Outcome::ok) return {finding_of(ending.outcome), ending.reason, 0, {}};
-  return judge(points, json::parse(ending.result).get<OutsiderMesh>());
+Attempt attempt(const Triangulator& triangulator, std::span<const Point2> points,
+                const TrialOptions& options) {
+  const auto ending = run_unless_woken([&] { return json(triangulator.triangulate(points)).dump(); },
+                                       options.limits, options.wake);
+  if (!ending) return {Finding::untried, std::string(interrupted_reason), 0, {}};
+  if (ending->outcome != Outcome::ok) return {finding_of(ending->outcome), ending->reason, 0, {}};
+  return judge(points, json::parse(ending->result).get<OutsiderMesh>());
 }
 
 /// Fewer points for which `fails` still holds: takes away halves, quarters and so on down to single points
@@ -105,7 +109,7 @@ class MeshTrial {
     Exercise exercise = blank(dataset.about.name);
     if (hangs_ == most_hangs) exercise.reason = "it hung before";
     for (const std::uint64_t n : sizes_up_to(options_.points)) {
-      if (hangs_ == most_hangs || failed(exercise.finding)) break;
+      if (hangs_ == most_hangs || failed(exercise.finding) || exercise.reason == interrupted_reason) break;
       const auto points = dataset.generate(n, options_.seed);
       const std::string replay =
           replay_dataset(triangulator_.options(), dataset.about.name, n, options_.seed);
@@ -128,7 +132,7 @@ class MeshTrial {
   }
 
   void exercise_points(std::span<const Point2> points, const std::string& replay, Exercise& exercise) {
-    Attempt done = attempt(triangulator_, points, options_.limits);
+    Attempt done = attempt(triangulator_, points, options_);
     exercise.n = points.size();
     exercise.finding = done.finding;
     exercise.reason = done.reason;
@@ -142,7 +146,7 @@ class MeshTrial {
     std::vector<Point2> fewer(points.begin(), points.end());
     if (shown.finding != Finding::hang) {  // each further one would cost its whole time
       fewer = cut_down(std::move(fewer), spare_runs_, [&](std::span<const Point2> tried) {
-        Attempt again = attempt(triangulator_, tried, options_.limits);
+        Attempt again = attempt(triangulator_, tried, options_);
         if (again.finding != exercise.finding) return false;
         shown = std::move(again);
         return true;
@@ -174,7 +178,8 @@ class MeshTrial {
 TrialResult try_triangulator(const Triangulator& triangulator, std::span<const Dataset> datasets,
                              const TrialOptions& options, const Watcher& watcher) {
   MeshTrial trial(triangulator, options);
-  for (const Dataset& dataset : datasets) watcher(trial.exercise(dataset));
+  for (const Dataset& dataset : datasets)
+    if (!watcher(trial.exercise(dataset))) break;
   return std::move(trial.result);
 }
 

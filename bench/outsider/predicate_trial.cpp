@@ -53,12 +53,12 @@ class PredicateTrial {
   const Exercise& exercise_fuzz() {
     Exercise all = blank("fuzz");
     const fuzz::Pool nothing_to_mutate;
-    for (std::uint64_t i = 0; all.n < options_.queries && !failed(all.finding); ++i) {
+    for (std::uint64_t i = 0; all.n < options_.queries && !failed(all.finding) && !interrupted_; ++i) {
       Exercise one = blank(all.input);
       ask(fuzz::draw_batch(options_.seed, i, predicate_, nothing_to_mutate, batch_size).cases, one);
       one.n += all.n;
       one.seconds = 0;  // of a mixture it would mean nothing
-      if (one.finding != Finding::refused || all.finding == Finding::untried)
+      if (interrupted_ || one.finding != Finding::refused || all.finding == Finding::untried)
         all = std::move(one);
       else
         all.n = one.n;
@@ -84,7 +84,12 @@ class PredicateTrial {
       return;
     }
     const Examination examination = examine(std::move(cases));
-    const Hearing hearing = hear(path_, examination, options_.limits);
+    const Hearing hearing = hear(path_, examination, options_.limits, options_.wake);
+    if (hearing.interrupted) {
+      exercise.reason = interrupted_reason;
+      interrupted_ = true;
+      return;
+    }
     exercise.finding = finding_of(hearing.ending.outcome);
     if (hearing.testimony)
       judge(examination, *hearing.testimony, exercise);
@@ -120,7 +125,7 @@ class PredicateTrial {
   }
 
   void accuse_wrong(const Exercise& exercise, const WrongSign& found) {
-    const WrongSign shown = simplify(path_, found.asked, options_.limits).value_or(found);
+    const WrongSign shown = simplify(path_, found.asked, options_.limits, options_.wake).value_or(found);
     accuse(exercise, shown.asked, shown.exact, std::string(1, to_char(shown.got)), shown.picture);
   }
 
@@ -144,7 +149,7 @@ class PredicateTrial {
   Predicate predicate_;
   const TrialOptions& options_;
   TrialResult& result_;
-  bool hung_ = false;
+  bool hung_ = false, interrupted_ = false;
 };
 
 }  // namespace
@@ -155,8 +160,8 @@ TrialResult try_predicates(const std::string& path, std::span<const Predicate> p
   for (const Predicate predicate : predicates) {
     PredicateTrial trial(path, predicate, options, result);
     for (const QueryFamily& family : query_families())
-      watcher(trial.exercise(family.name, draw(family, predicate, options)));
-    watcher(trial.exercise_fuzz());
+      if (!watcher(trial.exercise(family.name, draw(family, predicate, options)))) return result;
+    if (!watcher(trial.exercise_fuzz())) return result;
   }
   return result;
 }

@@ -2,10 +2,11 @@
 
 #include "bench/fuzz/oracle.hpp"
 #include "bench/fuzz/picture.hpp"
+#include "bench/fuzz/points_of.hpp"
 #include "bench/fuzz/shrink.hpp"
 #include "bench/fuzz/subject.hpp"
-#include "bench/outsider/points_of.hpp"
 #include "bench/outsider/timing.hpp"
+#include "bench/outsider/watched.hpp"
 #include "predicates/environment.hpp"
 #include "predicates/plugin/loader.hpp"
 
@@ -55,16 +56,26 @@ fuzz::Subject subject_of(const PredicatePlugin& plugin) {
           .offers = [plugin](Predicate predicate) { return plugin.offers(predicate); }};
 }
 
-/// How many signs of the plug-in's batch are others than `single`; 0 where it has none.
+template <int D>
+std::size_t count_batch_differences(const PredicatePlugin& plugin, std::span<const Case> cases,
+                                    const std::vector<Sign>& single) {
+  const std::vector<Point<D>> points = fuzz::points_of_all<D>(cases);
+  const auto bound = plugin.bind_batch<D>(cases.front().predicate, points);
+  if (std::holds_alternative<Refusal>(bound)) return single.size();  // bound before, and refused now
+  std::vector<std::int8_t> answers(cases.size());
+  std::get<PluginBatch>(bound).answer(points.front().coordinate.data(), answers);
+  std::size_t differences = 0;
+  for (std::size_t i = 0; i < single.size(); ++i) differences += answers[i] != static_cast<int>(single[i]);
+  return differences;
+}
+
+/// How many answers of the plug-in's batch are others than `single`, as -1, 0 or 1; 0 where it has none.
 std::size_t count_batch_differences(const PredicatePlugin& plugin, std::span<const Case> cases,
                                     const std::vector<Sign>& single) {
   const Predicate predicate = cases.front().predicate;
   if (!plugin.offers_batch(predicate)) return 0;
-  const auto batch = dimension_of(predicate) == 2 ? plugin.batch<2>(predicate, points_of_all<2>(cases))
-                                                  : plugin.batch<3>(predicate, points_of_all<3>(cases));
-  std::size_t differences = 0;
-  for (std::size_t i = 0; i < single.size(); ++i) differences += batch[i] != single[i];
-  return differences;
+  return dimension_of(predicate) == 2 ? count_batch_differences<2>(plugin, cases, single)
+                                      : count_batch_differences<3>(plugin, cases, single);
 }
 
 /// In the child.
@@ -131,10 +142,14 @@ Examination examine(std::vector<Case> cases) {
   return examination;
 }
 
-Hearing hear(const std::string& path, const Examination& examination, const Limits& limits) {
+Hearing hear(const std::string& path, const Examination& examination, const Limits& limits, int wake) {
   const Witness place(loading);
   Hearing hearing;
-  hearing.ending = run_sandboxed([&] { return json(testify(path, examination, place)).dump(); }, limits);
+  const auto ending =
+      run_unless_woken([&] { return json(testify(path, examination, place)).dump(); }, limits, wake);
+  hearing.interrupted = !ending;
+  if (!ending) return hearing;
+  hearing.ending = *ending;
   if (hearing.ending.outcome == Outcome::ok) {
     hearing.testimony = json::parse(hearing.ending.result).get<Testimony>();
   } else {
@@ -144,10 +159,11 @@ Hearing hear(const std::string& path, const Examination& examination, const Limi
   return hearing;
 }
 
-std::optional<WrongSign> simplify(const std::string& path, const Case& asked, const Limits& limits) {
-  const Ending ending = run_sandboxed([&] { return search(path, asked).dump(); }, limits);
-  if (ending.outcome != Outcome::ok) return std::nullopt;
-  const json found = json::parse(ending.result);
+std::optional<WrongSign> simplify(const std::string& path, const Case& asked, const Limits& limits,
+                                  int wake) {
+  const auto ending = run_unless_woken([&] { return search(path, asked).dump(); }, limits, wake);
+  if (!ending || ending->outcome != Outcome::ok) return std::nullopt;
+  const json found = json::parse(ending->result);
   if (found.is_null()) return std::nullopt;
   WrongSign wrong{.asked = {.predicate = asked.predicate},
                   .exact = {},

@@ -34,14 +34,15 @@ struct Testimony {
 /// How the child ended, with its testimony or with the query it died in.
 struct Hearing {
   Ending ending;
+  bool interrupted = false;            ///< by `wake`: there is no more to say
   std::optional<Testimony> testimony;  ///< there where the ending is ok
   std::string place;                   ///< else: "in bind", "in query 17", ...
   std::optional<std::uint64_t> query;  ///< and the query, where it was one
 };
 
 /// Loads the plug-in in a child, binds it to the points of all the cases, asks and compares; where all signs
-/// are right it asks again for the time.
-Hearing hear(const std::string& path, const Examination& examination, const Limits& limits);
+/// are right it asks again for the time. Ends when `wake` (a descriptor, or -1) is readable.
+Hearing hear(const std::string& path, const Examination& examination, const Limits& limits, int wake);
 
 /// A wrong sign.
 struct WrongSign {
@@ -51,7 +52,8 @@ struct WrongSign {
 };
 
 /// A simpler case about which the plug-in, bound to its points alone, is wrong as well. Nothing when it is
-/// not wrong about `asked` when bound to that alone, or when the search was the end of it.
-std::optional<WrongSign> simplify(const std::string& path, const fuzz::Case& asked, const Limits& limits);
+/// not wrong about `asked` when bound to that alone, or when the search was the end of it or ended by `wake`.
+std::optional<WrongSign> simplify(const std::string& path, const fuzz::Case& asked, const Limits& limits,
+                                  int wake);
 
 }  // namespace tribunal::bench

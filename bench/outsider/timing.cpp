@@ -1,7 +1,7 @@
 #include "bench/outsider/timing.hpp"
 
+#include "bench/fuzz/points_of.hpp"
 #include "bench/measure.hpp"
-#include "bench/outsider/points_of.hpp"
 #include "predicates/predicate.hpp"
 
 #include <algorithm>
@@ -60,10 +60,10 @@ double seconds_per_query(const PredicatePlugin& plugin, std::span<const fuzz::Ca
   assert(!cases.empty());
   const Predicate predicate = cases.front().predicate;
   if (dimension_of(predicate) == 2) {
-    const auto points = points_of_all<2>(cases);
+    const auto points = fuzz::points_of_all<2>(cases);
     return median(time_passes(*std::get<0>(plugin.bind2(points)), predicate, points));
   }
-  const auto points = points_of_all<3>(cases);
+  const auto points = fuzz::points_of_all<3>(cases);
   return median(time_passes(*std::get<0>(plugin.bind3(points)), predicate, points));
 }
 

@@ -28,7 +28,7 @@ struct Adaptive {
 
   template <int D>
   static Binding<Adaptive> bind(std::span<const Point<D>> points) {
-    if (auto refusal = refuse_non_finite(points)) return *refusal;
+    if (auto refusal = refuse_unusable(points)) return *refusal;
     return Adaptive{};
   }
   template <int D>

@@ -3,7 +3,6 @@
 
 #include "predicates/backends/certified.hpp"
 #include "predicates/decision.hpp"
-#include "predicates/environment.hpp"
 #include "predicates/formulas/compare_angle.hpp"
 #include "predicates/formulas/compare_length.hpp"
 #include "predicates/formulas/in_sphere.hpp"
@@ -36,7 +35,8 @@ concept Evaluates = requires(const B backend) {
 };
 
 /// A backend in D dimensions: a value that B::bind made for a point set, and that then only answers. `bind`
-/// either accepts all the points or names the first that lies outside the domain; `decide` never fails.
+/// either accepts all the points or names the first that lies outside the domain, or what is wrong with the
+/// floating-point environment; `decide` never fails.
 template <class B, int D>
 concept Backend = std::movable<B> &&
     requires(const B backend, std::span<const Point<D>> points, Point<D> point) {
@@ -102,12 +102,8 @@ struct BackendEntry {
 };
 
 namespace detail {
-/// Binds in a sound floating-point environment only: under another rounding mode, or with subnormal numbers
-/// flushed, a certified filter may certify the wrong sign. A change after binding is not seen here.
 template <class Kernel, class Erased, class B, int D>
 Binding<std::unique_ptr<const Kernel>> bind_erased(std::span<const Point<D>> points) {
-  if (std::string fault = describe_fault(witness_floating_point()); !fault.empty())
-    return Refusal{0, std::move(fault)};
   Binding<B> bound = B::bind(points);
   if (auto* refusal = std::get_if<Refusal>(&bound)) return std::move(*refusal);
   return std::make_unique<const Erased>(std::get<B>(std::move(bound)));

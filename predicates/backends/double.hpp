@@ -17,7 +17,7 @@ struct Double {
 
   template <int D>
   static Binding<Double> bind(std::span<const Point<D>> points) {
-    if (auto refusal = refuse_non_finite(points)) return *refusal;
+    if (auto refusal = refuse_unusable(points)) return *refusal;
     return Double{};
   }
   template <int D>

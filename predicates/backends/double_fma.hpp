@@ -19,7 +19,7 @@ class DoubleFma {
 
   template <int D>
   static Binding<DoubleFma> bind(std::span<const Point<D>> points) {
-    if (auto refusal = refuse_non_finite(points)) return *refusal;
+    if (auto refusal = refuse_unusable(points)) return *refusal;
     return DoubleFma{};
   }
   template <int D>

@@ -2,10 +2,8 @@
 #pragma once
 
 #include "predicates/arithmetic/big_integer.hpp"
+#include "predicates/arithmetic/exponent_window.hpp"
 #include "predicates/formulas/query.hpp"
-
-#include <algorithm>
-#include <limits>
 
 namespace tribunal {
 
@@ -14,10 +12,7 @@ namespace tribunal {
 /// over the whole range.
 template <class Formula>
 Sign exact_sign(const Query<Formula>& query) {
-  int exponent = std::numeric_limits<int>::max();
-  for (const auto& point : query)
-    for (const double c : point.coordinate)
-      if (c != 0) exponent = std::min(exponent, to_dyadic(c).exponent);
+  const int exponent = exponent_window(query).lowest;
   return sign_of(Formula::determinant(
       convert_arguments<BigInteger, Formula>(query, [&](double c) { return scaled_integer(c, exponent); })));
 }

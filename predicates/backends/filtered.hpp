@@ -31,7 +31,7 @@ class Filtered {
 
   template <int D>
   static Binding<Filtered> bind(std::span<const Point<D>> points) {
-    if (auto refusal = refuse_non_finite(points)) return *refusal;
+    if (auto refusal = refuse_unusable(points)) return *refusal;
     return Filtered(WorkingBox::around(points), IntegerFrame::find(points));
   }
   template <int D>
@@ -94,17 +94,20 @@ class Filtered {
         cosine_threshold_(error_bound_in_box<Cosine<2>>(box.width())) {}
 
   /// What the threshold of the box left open. On a lattice integers come first: they cost little more than a
-  /// finer filter, and always decide. A point off the lattice is found out by `count`.
+  /// finer filter, and always decide. `count` finds out a point off the lattice or outside the bound points'
+  /// own box; then the finer filters follow.
   template <class Formula>
   [[gnu::noinline]] Decision decide_close(std::same_as<double> auto... coordinates) const {
     const Query<Formula> query = query_of<Formula>(coordinates...);
     Arguments<std::int64_t, Formula> counts;
     if (frame_ && frame_->count<Formula>(query, counts))
       return {integer_sign<Formula>(counts, frame_->bits()), Stage::integer};
-    Sign sign = filtered_sign<Formula>(query);
-    if (sign != Sign::zero) return {sign, Stage::filter};
-    sign = double_double_sign<Formula>(query);
-    if (sign != Sign::zero) return {sign, Stage::double_double};
+    // Where the finer filter is right as often as not, guessing wrong costs what double-doubles do in the
+    // plane.
+    if constexpr (!std::same_as<Formula, Orient<2>>)
+      if (const Sign sign = filtered_sign<Formula>(query); sign != Sign::zero) return {sign, Stage::filter};
+    if (const Sign sign = double_double_sign<Formula>(query); sign != Sign::zero)
+      return {sign, Stage::double_double};
     if (const auto windowed = window_sign<Formula>(query)) return {*windowed, Stage::integer};
     return {exact_sign<Formula>(query), Stage::exact};
   }

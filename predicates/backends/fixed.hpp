@@ -26,6 +26,7 @@ class Fixed {
 
   template <int D>
   static Binding<Fixed> bind(std::span<const Point<D>> points) {
+    if (auto refusal = refuse_environment()) return *refusal;
     ExponentWindow window;
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (!is_finite(points[i])) return Refusal{i, "a coordinate is not finite"};

@@ -20,7 +20,7 @@ struct Float {
 
   template <int D>
   static Binding<Float> bind(std::span<const Point<D>> points) {
-    if (auto refusal = refuse_non_finite(points)) return *refusal;
+    if (auto refusal = refuse_unusable(points)) return *refusal;
     return Float{};
   }
   template <int D>

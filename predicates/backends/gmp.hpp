@@ -18,7 +18,7 @@ struct Gmp {
 
   template <int D>
   static Binding<Gmp> bind(std::span<const Point<D>> points) {
-    if (auto refusal = refuse_non_finite(points)) return *refusal;
+    if (auto refusal = refuse_unusable(points)) return *refusal;
     return Gmp{};
   }
   template <int D>

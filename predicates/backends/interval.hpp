@@ -19,7 +19,7 @@ struct IntervalArithmetic {
 
   template <int D>
   static Binding<IntervalArithmetic> bind(std::span<const Point<D>> points) {
-    if (auto refusal = refuse_non_finite(points)) return *refusal;
+    if (auto refusal = refuse_unusable(points)) return *refusal;
     return IntervalArithmetic{};
   }
   template <int D>

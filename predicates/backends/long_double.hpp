@@ -19,7 +19,7 @@ struct LongDouble {
 
   template <int D>
   static Binding<LongDouble> bind(std::span<const Point<D>> points) {
-    if (auto refusal = refuse_non_finite(points)) return *refusal;
+    if (auto refusal = refuse_unusable(points)) return *refusal;
     return LongDouble{};
   }
   template <int D>

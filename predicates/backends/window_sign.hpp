@@ -24,13 +24,14 @@ Sign windowed_sign(const Query<Formula>& query, int lowest) {
 }  // namespace detail
 
 /// The exact sign where all set bits of the query's coordinates lie within 125 consecutive binary places;
-/// nothing where they do not. Two widths, 61 and 125 places: differences then fit one word or two. Without
-/// allocation.
+/// nothing where they do not. Three widths: differences fit one word up to 61 places and two up to 125; up to
+/// 83 places, as much as doubles of like size ask for, orient3d fits four words. Without allocation.
 template <class Formula>
 std::optional<Sign> window_sign(const Query<Formula>& query) {
   const ExponentWindow window = exponent_window(query);
   if (window.empty()) return Sign::zero;  // every coordinate is zero
   if (window.bits() <= 61) return detail::windowed_sign<Formula, 62>(query, window.lowest);
+  if (window.bits() <= 83) return detail::windowed_sign<Formula, 84>(query, window.lowest);
   if (window.bits() <= 125) return detail::windowed_sign<Formula, 126>(query, window.lowest);
   return std::nullopt;
 }

@@ -24,8 +24,8 @@ using ColumnArguments = std::array<Columns<Formula::dimension>, Formula::points>
 /// signs[i] = kernel.decide<Formula>(query i).sign for every i < signs.size(). Each column holds that many
 /// coordinates, of points that the kernel admits. The widest vector instructions of the processor (SSE2, AVX2
 /// or AVX-512; on other machines what the compiler takes for granted) evaluate the threshold of the kernel's
-/// box, in the same operations as the scalar code: the signs agree bit for bit. Thread-safe, without
-/// allocation.
+/// box, in the same operations as the scalar code: the signs agree bit for bit. Thread-safe; what the
+/// threshold leaves open is decided one by one as `kernel` does, which allocates in its exact stage alone.
 ///
 /// Defined for Orient<2>, InSphere<2>, Orient<3> and InSphere<3>.
 template <class Formula>

@@ -39,23 +39,29 @@ struct FilteredCoordinate {
   double value;
 };
 
+inline constexpr double smallest_normal = std::numeric_limits<double>::min();
+
 /// A difference of two coordinates: its magnitude is its own.
 struct FilteredDifference {
   double value;
+  double magnitude() const { return std::fabs(value); }
+};
+
+/// A product of two differences: its magnitude is its own and N.
+struct FilteredProduct {
+  double value;
+  double magnitude() const { return std::fabs(value) + smallest_normal; }
 };
 
 /// Any other value, with its magnitude.
 struct FilteredValue {
-  double value, magnitude;
+  double value, bound;
+  double magnitude() const { return bound; }
 };
 
-inline constexpr double smallest_normal = std::numeric_limits<double>::min();
-
-/// A product of two differences: its magnitude is its own and N. Two of them in a sum make do with one N, for
-/// each owes 3 u P + u N by itself, both 3 u (P + Q) + 2 u N, and 2 < 3.
-struct FilteredProduct {
-  double value;
-  operator FilteredValue() const { return {value, std::fabs(value) + smallest_normal}; }
+template <class Number>
+concept Filterable = requires(Number a) {
+  a.value + a.magnitude();
 };
 
 inline FilteredDifference operator-(FilteredCoordinate a, FilteredCoordinate b) {
@@ -63,24 +69,26 @@ inline FilteredDifference operator-(FilteredCoordinate a, FilteredCoordinate b) 
 }
 
 inline FilteredProduct operator*(FilteredDifference a, FilteredDifference b) { return {a.value * b.value}; }
-inline FilteredValue operator*(FilteredDifference a, FilteredValue b) {
-  return {a.value * b.value, std::fabs(a.value) * b.magnitude + smallest_normal};
-}
-inline FilteredValue operator*(FilteredValue a, FilteredValue b) {
-  return {a.value * b.value, a.magnitude * b.magnitude + smallest_normal};
+template <Filterable Left, Filterable Right>
+FilteredValue operator*(Left a, Right b) {
+  return {a.value * b.value, a.magnitude() * b.magnitude() + smallest_normal};
 }
 
+// Two products of differences in a sum make do with one N, for each owes 3 u P + u N by itself, both 3 u (P +
+// Q) + 2 u N, and 2 < 3.
 inline FilteredValue operator+(FilteredProduct a, FilteredProduct b) {
-  return {a.value + b.value, std::fabs(a.value) + std::fabs(b.value) + smallest_normal};
+  return {a.value + b.value, std::fabs(a.value) + b.magnitude()};
 }
 inline FilteredValue operator-(FilteredProduct a, FilteredProduct b) {
-  return {a.value - b.value, std::fabs(a.value) + std::fabs(b.value) + smallest_normal};
+  return {a.value - b.value, std::fabs(a.value) + b.magnitude()};
 }
-inline FilteredValue operator+(FilteredValue a, FilteredValue b) {
-  return {a.value + b.value, a.magnitude + b.magnitude};
+template <Filterable Left, Filterable Right>
+FilteredValue operator+(Left a, Right b) {
+  return {a.value + b.value, a.magnitude() + b.magnitude()};
 }
-inline FilteredValue operator-(FilteredValue a, FilteredValue b) {
-  return {a.value - b.value, a.magnitude + b.magnitude};
+template <Filterable Left, Filterable Right>
+FilteredValue operator-(Left a, Right b) {
+  return {a.value - b.value, a.magnitude() + b.magnitude()};
 }
 
 namespace detail {
@@ -138,16 +146,16 @@ template <class Formula>
 double error_bound_in_box(double width) {
   Arguments<BoxCoordinate, Formula> arguments;
   for (auto& point : arguments) point.fill({width});
-  return error_coefficient<Formula> * Formula::determinant(arguments).magnitude;
+  return error_coefficient<Formula> * Formula::determinant(arguments).magnitude();
 }
 
 /// The sign of the determinant where one pass of floating-point arithmetic proves it; zero says "not proven",
 /// never "is zero". Sound for all finite doubles under round-to-nearest with subnormals. Without branches.
 template <class Formula>
 inline Sign filtered_sign(const Query<Formula>& query) {
-  const FilteredValue d = Formula::determinant(
+  const auto d = Formula::determinant(
       convert_arguments<FilteredCoordinate, Formula>(query, [](double c) { return FilteredCoordinate{c}; }));
-  const double error = error_coefficient<Formula> * d.magnitude;
+  const double error = error_coefficient<Formula> * d.magnitude();
   return sign_beyond(d.value, error);
 }
 

@@ -56,6 +56,7 @@ constexpr StaticValue static_value(int bits) {
 // Single precision's 24 bits leave orientation exact; at 53 bits incircle errs by up to 2^165.3.
 static_assert(static_value<Orient<2>>(24).error == 0 && static_value<Orient<2>>(28).error == 0x1p5);
 static_assert(static_value<Orient<2>>(36).error == 0x1p21 && static_value<Orient<2>>(53).error == 0x1p55);
+static_assert(static_value<Orient<2>>(26).error == 0 && static_value<Orient<2>>(27).error == 0x1p3);
 static_assert(static_value<InSphere<2>>(12).error == 0 && static_value<InSphere<2>>(24).error == 0x1p48);
 static_assert(static_value<InSphere<2>>(28).error == 0x5p63 &&
               static_value<InSphere<2>>(53).error == 0x5p163);

@@ -4,31 +4,12 @@
 #include "predicates/domain.hpp"
 #include "predicates/formulas/compare_length.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <memory>
 #include <utility>
 
 namespace tribunal {
 namespace {
-
-/// What a plug-in's bind returned, released in the end.
-class Context {
- public:
-  Context(const tribunal_predicates& offer, void* value) : offer_(&offer), value_(value) {}
-  Context(Context&& other) noexcept
-      : offer_(std::exchange(other.offer_, nullptr)), value_(std::exchange(other.value_, nullptr)) {}
-  Context& operator=(Context&&) = delete;
-  ~Context() {
-    if (offer_ != nullptr && offer_->bind != nullptr && offer_->release != nullptr) offer_->release(value_);
-  }
-  const tribunal_predicates& offer() const { return *offer_; }
-  const void* value() const { return value_; }
-
- private:
-  const tribunal_predicates* offer_;
-  void* value_;
-};
 
 template <int D>
 const double* coordinates(std::span<const Point<D>> points) {
@@ -51,13 +32,13 @@ auto batch_function(const tribunal_predicates& offer, Predicate predicate) {
 }
 
 template <int D>
-Binding<Context> bind_context(const tribunal_predicates& offer, std::span<const Point<D>> points) {
-  if (auto refusal = refuse_non_finite(points)) return *refusal;
-  if (offer.bind == nullptr) return Context(offer, nullptr);
+Binding<PluginContext> bind_context(const tribunal_predicates& offer, std::span<const Point<D>> points) {
+  if (auto refusal = refuse_unusable(points)) return *refusal;
+  if (offer.bind == nullptr) return PluginContext(offer, nullptr);
   std::size_t refused = points.size();
   void* value = offer.bind(coordinates(points), points.size(), D, &refused);
   if (refused < points.size()) return Refusal{refused, "refused by the plug-in"};
-  return Context(offer, value);
+  return PluginContext(offer, value);
 }
 
 Decision decided(int answer) { return {sign_of(answer), Stage::plugin}; }
@@ -69,7 +50,7 @@ const double* raw(const Point<D>& p) {
 
 class PluginKernel2 final : public Kernel2 {
  public:
-  explicit PluginKernel2(Context context) : context_(std::move(context)) {}
+  explicit PluginKernel2(PluginContext context) : context_(std::move(context)) {}
   Decision decide_orient2d(Point2 a, Point2 b, Point2 c) const override {
     assert(context_.offer().orient2d != nullptr);
     return decided(context_.offer().orient2d(context_.value(), raw(a), raw(b), raw(c)));
@@ -88,12 +69,12 @@ class PluginKernel2 final : public Kernel2 {
   bool admits(Point2 p) const override { return context_.offer().bind == nullptr && is_finite(p); }
 
  private:
-  Context context_;
+  PluginContext context_;
 };
 
 class PluginKernel3 final : public Kernel3 {
  public:
-  explicit PluginKernel3(Context context) : context_(std::move(context)) {}
+  explicit PluginKernel3(PluginContext context) : context_(std::move(context)) {}
   Decision decide_orient3d(Point3 a, Point3 b, Point3 c, Point3 d) const override {
     assert(context_.offer().orient3d != nullptr);
     return decided(context_.offer().orient3d(context_.value(), raw(a), raw(b), raw(c), raw(d)));
@@ -105,7 +86,7 @@ class PluginKernel3 final : public Kernel3 {
   bool admits(Point3 p) const override { return context_.offer().bind == nullptr && is_finite(p); }
 
  private:
-  Context context_;
+  PluginContext context_;
 };
 
 }  // namespace
@@ -139,31 +120,27 @@ bool PredicatePlugin::offers_batch(Predicate predicate) const {
 }
 
 template <int D>
-std::vector<Sign> PredicatePlugin::batch(Predicate predicate, std::span<const Point<D>> points) const {
-  assert(dimension_of(predicate) == D && offers_batch(predicate));
-  const std::size_t count = points.size() / static_cast<std::size_t>(points_of(predicate));
-  std::vector<std::int8_t> answers(count);
-  const Binding<Context> bound = bind_context(*offer_, points);
-  assert(std::holds_alternative<Context>(bound));
-  batch_function(*offer_, predicate)(std::get<Context>(bound).value(), coordinates(points), count,
-                                     answers.data());
-  std::vector<Sign> signs(count);
-  std::ranges::transform(answers, signs.begin(), [](std::int8_t answer) { return sign_of(answer); });
-  return signs;
+Binding<PluginBatch> PredicatePlugin::bind_batch(Predicate predicate,
+                                                 std::span<const Point<D>> points) const {
+  assert(dimension_of(predicate) == D);
+  if (!offers_batch(predicate)) return Refusal{0, "it offers no batch of this predicate"};
+  Binding<PluginContext> bound = bind_context(*offer_, points);
+  if (auto* refusal = std::get_if<Refusal>(&bound)) return std::move(*refusal);
+  return PluginBatch(batch_function(*offer_, predicate), std::get<PluginContext>(std::move(bound)));
 }
-template std::vector<Sign> PredicatePlugin::batch<2>(Predicate, std::span<const Point2>) const;
-template std::vector<Sign> PredicatePlugin::batch<3>(Predicate, std::span<const Point3>) const;
+template Binding<PluginBatch> PredicatePlugin::bind_batch<2>(Predicate, std::span<const Point2>) const;
+template Binding<PluginBatch> PredicatePlugin::bind_batch<3>(Predicate, std::span<const Point3>) const;
 
 Kernel2Binding PredicatePlugin::bind2(std::span<const Point2> points) const {
-  Binding<Context> bound = bind_context(*offer_, points);
+  Binding<PluginContext> bound = bind_context(*offer_, points);
   if (auto* refusal = std::get_if<Refusal>(&bound)) return std::move(*refusal);
-  return std::make_unique<const PluginKernel2>(std::get<Context>(std::move(bound)));
+  return std::make_unique<const PluginKernel2>(std::get<PluginContext>(std::move(bound)));
 }
 
 Kernel3Binding PredicatePlugin::bind3(std::span<const Point3> points) const {
-  Binding<Context> bound = bind_context(*offer_, points);
+  Binding<PluginContext> bound = bind_context(*offer_, points);
   if (auto* refusal = std::get_if<Refusal>(&bound)) return std::move(*refusal);
-  return std::make_unique<const PluginKernel3>(std::get<Context>(std::move(bound)));
+  return std::make_unique<const PluginKernel3>(std::get<PluginContext>(std::move(bound)));
 }
 
 }  // namespace tribunal

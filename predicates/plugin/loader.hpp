@@ -7,12 +7,49 @@
 #include "predicates/point.hpp"
 #include "predicates/predicate.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
+#include <utility>
 
 namespace tribunal {
+
+/// What a plug-in's bind returned, null included; released with its owner.
+class PluginContext {
+ public:
+  PluginContext(const tribunal_predicates& offer, void* value) : offer_(&offer), value_(value) {}
+  PluginContext(PluginContext&& other) noexcept
+      : offer_(std::exchange(other.offer_, nullptr)), value_(std::exchange(other.value_, nullptr)) {}
+  PluginContext& operator=(PluginContext&&) = delete;
+  ~PluginContext() {
+    if (offer_ != nullptr && offer_->bind != nullptr && offer_->release != nullptr) offer_->release(value_);
+  }
+  const tribunal_predicates& offer() const { return *offer_; }
+  const void* value() const { return value_; }
+
+ private:
+  const tribunal_predicates* offer_;
+  void* value_;
+};
+
+/// A predicate's batched entry, bound to points.
+class PluginBatch {
+ public:
+  using Function = decltype(tribunal_predicates::orient2d_batch);
+
+  PluginBatch(Function function, PluginContext context) : function_(function), context_(std::move(context)) {}
+
+  /// The answers to answers.size() queries, whose bound points stand one after the other: what the plug-in
+  /// writes, which need not be signs.
+  void answer(const double* coordinates, std::span<std::int8_t> answers) const {
+    function_(context_.value(), coordinates, answers.size(), answers.data());
+  }
+
+ private:
+  Function function_;
+  PluginContext context_;
+};
 
 /// The predicates that a shared library offers (tribunal_predicates.h). Their code is an outsider's: a call
 /// may crash or never return.
@@ -31,10 +68,10 @@ class PredicatePlugin {
   /// Whether it answers many such queries in one call.
   bool offers_batch(Predicate predicate) const;
 
-  /// The signs of queries whose points stand one after the other, asked in one call by a context bound to all
-  /// of them. The plug-in must offer the batch and not refuse the points. D is the predicate's dimension.
+  /// The batched entry bound to the points, which need not outlive the call, or the plug-in's refusal; one
+  /// without a batch refuses. D is the predicate's dimension.
   template <int D>
-  std::vector<Sign> batch(Predicate predicate, std::span<const Point<D>> points) const;
+  Binding<PluginBatch> bind_batch(Predicate predicate, std::span<const Point<D>> points) const;
 
   /// A kernel over the points, which need not outlive the call, or the plug-in's refusal. Its decisions are
   /// of Stage::plugin. Only predicates that the plug-in offers may be asked. Points that were not bound are

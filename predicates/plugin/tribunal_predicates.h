@@ -12,13 +12,17 @@
  * A predicate returns the sign of a determinant: any positive number, any negative number or zero. For points
  * a = (a[0], a[1]) or (a[0], a[1], a[2]):
  *
- *   orient2d(a,b,c)       det(b-a, c-a): positive when a, b, c turn counter-clockwise.
- *   incircle(a,b,c,d)     positive when d is strictly inside the circle through the counter-clockwise a, b,
- * c; exchanging two of a, b, c changes the sign. orient3d(a,b,c,d)     det(b-a, c-a, d-a): positive for
- * (0,0,0), (1,0,0), (0,1,0), (0,0,1). The sign of CGAL::orientation; the opposite of Shewchuk's orient3d.
- *   insphere(a,b,c,d,e)   positive when e is strictly inside the sphere through a, b, c, d with orient3d > 0;
- *                         exchanging two of a, b, c, d changes the sign. The sign of
- *                         CGAL::side_of_oriented_sphere, and of Shewchuk's insphere times -1.
+ *   orient2d(a, b, c): det(b-a, c-a). Positive when a, b, c turn counter-clockwise.
+ *
+ *   incircle(a, b, c, d): positive when d is strictly inside the circle through the counter-clockwise
+ *   a, b, c; exchanging two of a, b, c changes the sign.
+ *
+ *   orient3d(a, b, c, d): det(b-a, c-a, d-a). Positive for (0,0,0), (1,0,0), (0,1,0), (0,0,1). The sign of
+ *   CGAL::orientation; the opposite of Shewchuk's orient3d.
+ *
+ *   insphere(a, b, c, d, e): positive when e is strictly inside the sphere through a, b, c, d with
+ *   orient3d > 0; exchanging two of a, b, c, d changes the sign. The sign of
+ *   CGAL::side_of_oriented_sphere, and of Shewchuk's insphere times -1.
  *
  * Coordinates are finite doubles of any magnitude unless bind says otherwise. Functions are called in the
  * default floating-point environment (rounding to nearest, subnormals on) and must leave it so. They must not

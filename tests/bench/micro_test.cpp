@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cfenv>
 #include <numeric>
 #include <set>
 
@@ -125,6 +126,9 @@ TEST(MicroBench, OnlyWhatIsRightHasASpeedAndExactBackendsAreRight) {
         EXPECT_EQ(cell.queries, 0U);
         EXPECT_TRUE(cell.nanoseconds.empty());
         break;
+      case MicroOutcome::at_fault:
+        ADD_FAILURE() << cell.reason;
+        break;
     }
   }
   EXPECT_EQ(seen.size(), 3U);
@@ -227,6 +231,52 @@ TEST(Peers, AreCheckedLikeEverybodyElse) {
   EXPECT_EQ(cells[1].reason, "refused by the plug-in");
   for (std::size_t i = 2; i < cells.size(); ++i)
     EXPECT_EQ(cells[i].reason, "it offers no batch of this predicate");
+}
+
+/// Right in its first calls, then behind a changed rounding mode.
+class TurningLoop final : public SignLoop {
+ public:
+  explicit TurningLoop(const QuerySet& queries) : truth_(exact_signs(queries)) {}
+  void sign(std::span<Sign> signs) const override {
+    std::copy_n(truth_.begin(), signs.size(), signs.begin());
+    std::fesetround(FE_UPWARD);
+  }
+  void decide(std::span<Decision> decisions) const override {
+    for (std::size_t i = 0; i < decisions.size(); ++i) decisions[i] = {truth_[i], Stage::plugin};
+  }
+
+ private:
+  std::vector<Sign> truth_;
+};
+
+TEST(Peers, OneThatChangesRoundingHasNoSpeedAndHarmsNobody) {
+  const Subject turning{"turning", false, [](const QuerySet& queries) -> SignLoopBinding {
+                          return std::make_unique<const TurningLoop>(queries);
+                        }};
+  const Subject flushing = zero_subject("flushing", false);
+  auto subjects = backend_subjects();
+  std::erase_if(subjects, [](const Subject& subject) { return subject.name != "gmp"; });
+  subjects.insert(subjects.begin(), {turning, flushing});
+  auto options = small(subjects, {"uni", "near"});
+  options.faults["flushing"] = "subnormal numbers are flushed to zero after it was loaded";
+  const auto cells = bench_predicates(options);
+  ASSERT_EQ(cells.size(), 24U);
+  for (const MicroCell& cell : cells) {
+    const bool is_ours = cell.subject == "gmp";
+    EXPECT_EQ(cell.outcome, is_ours ? MicroOutcome::timed : MicroOutcome::at_fault) << cell.subject;
+    EXPECT_EQ(cell.broke_promise, !is_ours);
+    EXPECT_EQ(cell.nanoseconds.empty(), !is_ours);
+    if (cell.subject == "turning") {
+      EXPECT_EQ(cell.reason, "the rounding mode is not to nearest while it was timed");
+    }
+  }
+  EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+}
+
+TEST(MicroBench, AnInterruptLeavesWholeFamilies) {
+  auto options = small({zero_subject("zero", false)}, {"uni", "near", "degI"});
+  options.interrupted = [] { return true; };
+  EXPECT_EQ(bench_predicates(options).size(), 1U);
 }
 
 TEST(Peers, WhatIsNoModuleIsRefused) {

@@ -10,12 +10,12 @@
 namespace tribunal::cli {
 namespace {
 
-constexpr const char* plan_text =
+constexpr const char* short_plan =
     "[[cells]]\nalgorithm='*'\nbackend=['gmp','double']\ndataset='grid'\nn=[9,16]\nseed='1..5'\n";
 
 TEST(HostileUse, ClosedStandardStreamsLeaveRowsWhole) {
   const Folder folder;
-  const std::string plan = folder.write("plan.toml", plan_text), out = folder / "out";
+  const std::string plan = folder.write("plan.toml", short_plan), out = folder / "out";
   const std::string command =
       std::string(TRIBUNAL_PROGRAM) + " run " + plan + " -o " + out + " --progress plain";
   ASSERT_EQ(std::system((command + " >/dev/null <&- 2>&-").c_str()), 0);
@@ -104,6 +104,28 @@ TEST(HostileUse, BackendMayBeRepeated) {
   EXPECT_EQ(ended.out, "gmp     +  exact\ndouble  +  rounded\n");
 }
 
+TEST(HostileUse, ABackendNamedTwiceAnswersOnce) {
+  const Ended ended =
+      tribunal({"sign", "orient2d", "0", "0", "1", "0", "0", "1", "--backend", "gmp", "--backend", "gmp"});
+  EXPECT_EQ(ended.out, "gmp  +  exact\n");
+}
+
+TEST(HostileUse, OutOfEveryDomainIsStatusTwoBehindTheReasons) {
+  const std::vector<std::string> query{"sign", "orient2d", "0.5", "0",         "1",
+                                       "0",    "0",        "1",   "--backend", "knuth"};
+  const Ended alone = tribunal(query);
+  EXPECT_EQ(alone.status, 2);
+  EXPECT_TRUE(alone.one_line_error()) << alone.err;
+  EXPECT_EQ(alone.out.rfind("knuth  out_of_domain", 0), 0U) << alone.out;
+  std::vector<std::string> both = query;
+  both.insert(both.end(), {"--backend", "gmp"});
+  EXPECT_EQ(tribunal(both).status, 0);
+}
+
+TEST(HostileUse, SymbolicVariantsAreMentioned) {
+  EXPECT_NE(tribunal({"list", "backends"}).out.find("+sos"), std::string::npos);
+}
+
 TEST(HostileUse, HelpAndErrorsHoldNoControlCharacters) {
   const auto clean = [](const std::string& text) {
     return std::all_of(text.begin(), text.end(),
@@ -151,7 +173,7 @@ TEST(HostileUse, ARefusalIsInTheStatistics) {
 
 TEST(HostileUse, FoldersThatContradictEachOtherAreRefused) {
   const Folder folder;
-  const std::string plan = folder.write("plan.toml", plan_text);
+  const std::string plan = folder.write("plan.toml", short_plan);
   for (const char* run : {"a", "b"})
     ASSERT_EQ(tribunal({"run", plan, "-o", folder / run, "--jobs", "1"}).status, 0);
   const std::string rows = folder / "b/rows/local.jsonl";

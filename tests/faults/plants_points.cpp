@@ -119,12 +119,12 @@ std::optional<Planted> t_junction(const Sample& sample, Random& random) {
   return planted;
 }
 
-constexpr std::array plants{Plant{"missing_site", missing_site},     Plant{"extra_site", extra_site},
-                            Plant{"duplicate_used", duplicate_used}, Plant{"swapped_ids", swapped_ids},
-                            Plant{"moved_vertex", moved_vertex},     Plant{"t_junction", t_junction}};
+constexpr std::array on_points{Plant{"missing_site", missing_site},     Plant{"extra_site", extra_site},
+                               Plant{"duplicate_used", duplicate_used}, Plant{"swapped_ids", swapped_ids},
+                               Plant{"moved_vertex", moved_vertex},     Plant{"t_junction", t_junction}};
 
 }  // namespace
 
-std::span<const Plant> point_plants() { return plants; }
+std::span<const Plant> point_plants() { return on_points; }
 
 }  // namespace tribunal::faults

@@ -122,13 +122,13 @@ std::optional<Planted> touching_pieces(const Sample& sample, Random&) {
   return planted;
 }
 
-constexpr std::array plants{
+constexpr std::array on_sheets{
     Plant{"crossing_edges", crossing_edges}, Plant{"fold_over", fold_over},
     Plant{"two_sheets", two_sheets},         Plant{"flat_triangle", flat_triangle},
     Plant{"two_pieces", two_pieces},         Plant{"touching_pieces", touching_pieces}};
 
 }  // namespace
 
-std::span<const Plant> sheet_plants() { return plants; }
+std::span<const Plant> sheet_plants() { return on_sheets; }
 
 }  // namespace tribunal::faults

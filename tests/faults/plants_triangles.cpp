@@ -158,19 +158,19 @@ std::optional<Planted> index_beyond(const Sample& sample, Random& random) {
   return planted;
 }
 
-constexpr std::array plants{Plant{"flipped_edge", flipped_edge},
-                            Plant{"missing_triangle", missing_triangle},
-                            Plant{"hole", hole},
-                            Plant{"doubled_triangle", doubled_triangle},
-                            Plant{"inverted_triangle", inverted_triangle},
-                            Plant{"mirrored_mesh", mirrored_mesh},
-                            Plant{"lost_hull_triangle", lost_hull_triangle},
-                            Plant{"wrong_neighbour", wrong_neighbour},
-                            Plant{"repeated_corner", repeated_corner},
-                            Plant{"index_beyond", index_beyond}};
+constexpr std::array on_triangles{Plant{"flipped_edge", flipped_edge},
+                                  Plant{"missing_triangle", missing_triangle},
+                                  Plant{"hole", hole},
+                                  Plant{"doubled_triangle", doubled_triangle},
+                                  Plant{"inverted_triangle", inverted_triangle},
+                                  Plant{"mirrored_mesh", mirrored_mesh},
+                                  Plant{"lost_hull_triangle", lost_hull_triangle},
+                                  Plant{"wrong_neighbour", wrong_neighbour},
+                                  Plant{"repeated_corner", repeated_corner},
+                                  Plant{"index_beyond", index_beyond}};
 
 }  // namespace
 
-std::span<const Plant> triangle_plants() { return plants; }
+std::span<const Plant> triangle_plants() { return on_triangles; }
 
 }  // namespace tribunal::faults

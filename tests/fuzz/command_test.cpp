@@ -6,6 +6,7 @@
 
 #include <set>
 #include <sstream>
+#include <sys/stat.h>
 
 namespace tribunal::cli {
 namespace {
@@ -139,6 +140,12 @@ TEST(FuzzCommand, MistakesAreToldInOneLineWithStatusTwo) {
       {"--seconds", "0"},
       {"--seconds", "-1"},
       {"--seconds", "long"},
+      {"--seconds", "nan"},
+      {"--seconds", "inf"},
+      {"--seconds", "1e300"},
+      {"--corpus", ""},
+      {"--plugin", ""},
+      {"--picture", "/proc/nowhere"},
       {"--queries", "-1"},
       {"--queries", "1e3"},
       {"--seed", "x"},
@@ -156,6 +163,69 @@ TEST(FuzzCommand, MistakesAreToldInOneLineWithStatusTwo) {
     EXPECT_TRUE(ended.one_line_error()) << words[1] << ' ' << words[2] << "\n" << ended.err;
     EXPECT_TRUE(ended.out.empty());
   }
+}
+
+TEST(FuzzCommand, NothingJudgedIsNoSuccess) {
+  const std::vector<std::vector<std::string>> all{
+      {"--backend", "knuth", "--predicate", "incircle", "--queries", "200"},
+      {"--backend", "gmp", "--seconds", "1e-9"},
+      {"--queries", "0"},
+  };
+  for (auto words : all) {
+    words.insert(words.begin(), "fuzz");
+    words.insert(words.end(), {"--seed", "1", "--json"});
+    const Ended ended = tribunal(words);
+    EXPECT_EQ(ended.status, 2) << words[1] << ' ' << words[2] << ended.out;
+    EXPECT_TRUE(ended.one_line_error()) << ended.err;
+    EXPECT_EQ(schema_fault(fuzz_schema(), ended.json()), "");
+  }
+}
+
+TEST(FuzzCommand, NamedTwiceIsAskedOnce) {
+  const std::vector<std::string> once{"fuzz",     "--backend", "gmp",  "--predicate",
+                                      "orient2d", "--queries", "1000", "--json"};
+  std::vector<std::string> twice = once;
+  twice.insert(twice.end(), {"--backend", "gmp", "--predicate", "orient2d"});
+  EXPECT_EQ(tribunal(once).out, tribunal(twice).out);
+}
+
+TEST(FuzzCommand, WhatCannotBeKeptIsRefusedBeforeTheHunt) {
+  const Folder folder;
+  const std::string file = folder.write("file", "");
+  for (const char* option : {"--corpus", "--picture"}) {
+    const Ended ended = tribunal({"fuzz", "--seconds", "60", option, file + "/sub"});
+    EXPECT_EQ(ended.status, 2) << option;
+    EXPECT_TRUE(ended.one_line_error()) << ended.err;
+    EXPECT_TRUE(ended.out.empty());
+  }
+}
+
+TEST(FuzzCommand, WhatWasFoundIsPrintedWhereItCannotBeKept) {
+  const Folder folder;
+  for (const char* predicate : {"orient2d", "incircle", "orient3d", "insphere"})
+    std::filesystem::create_directories(folder / (std::string("pictures/double-") + predicate + ".svg/full"));
+  const Ended ended = tribunal(
+      {"fuzz", "--backend", "double", "--queries", "20000", "--picture", folder / "pictures", "--json"});
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_TRUE(ended.one_line_error()) << ended.err;
+  EXPECT_EQ(ended.json()["counterexamples"].size(), 4U);
+}
+
+TEST(FuzzCommand, CorpusEntriesAreRegularFiles) {
+  const Folder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe.query").c_str(), 0600), 0);
+  const Ended ended = tribunal({"fuzz", "--queries", "100", "--corpus", folder / ""});
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_NE(ended.err.find("pipe.query: no regular file"), std::string::npos) << ended.err;
+}
+
+TEST(FuzzCommand, TimeEndsALongCorpus) {
+  const Folder folder;
+  for (int i = 0; i < 300; ++i)
+    folder.write(std::to_string(i) + ".query", "predicate orient2d\nexact +\npoint 0 0\npoint 1 0\npoint 0 " +
+                                                   std::to_string(i + 1) + "\n");
+  const auto document = tribunal({"fuzz", "--seconds", "0.000001", "--corpus", folder / "", "--json"}).json();
+  EXPECT_LT(document["checked"], 600);
 }
 
 TEST(FuzzCommand, ProgressGoesToStandardErrorOnly) {

@@ -20,7 +20,7 @@ class Planted : public Answer {
       .name = "planted", .cites = "", .summary = "", .domain = "", .exact = true};
   template <int D>
   static Binding<Planted> bind(std::span<const Point<D>> points) {
-    if (auto refusal = refuse_non_finite(points)) return *refusal;
+    if (auto refusal = refuse_unusable(points)) return *refusal;
     return Planted{};
   }
   template <int D>

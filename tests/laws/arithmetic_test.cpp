@@ -4,6 +4,7 @@
 #include "predicates/arithmetic/bounded_integer.hpp"
 #include "predicates/arithmetic/dyadic.hpp"
 #include "predicates/arithmetic/fixed_integer.hpp"
+#include "predicates/backends/integer_sign.hpp"
 #include "predicates/filters/static.hpp"
 #include "predicates/sign.hpp"
 #include "tests/laws/kernels.hpp"
@@ -122,6 +123,17 @@ TEST(StaticErrorBound, IsAsPublished) {
   EXPECT_NEAR(logarithm(static_error_bound<InSphere<2>>(36)), 97.32, 0.01);
   EXPECT_NEAR(logarithm(static_error_bound<InSphere<3>>(24)), 75.73, 0.01);
   EXPECT_NEAR(logarithm(static_error_bound<InSphere<3>>(53)), 221.57, 0.01);
+}
+
+/// Differences of any number of bits get the least width that holds them: none overflows on the way, even
+/// where the determinant itself would come out right modulo the width.
+TEST(IntegerSign, LadderGivesTheLeastStepThatHolds) {
+  const auto step_of = [](int bits) { return visit_ladder(bits, []<int Bits>() { return Bits; }); };
+  int below = 0;
+  for (const int step : {14, 24, 28, 36, 53}) {
+    for (int bits = below + 1; bits <= step; ++bits) EXPECT_EQ(step_of(bits), step) << bits;
+    below = step;
+  }
 }
 
 TEST(StaticErrorBound, ScalesWithTheLatticeUntilTheDeterminantCouldLeaveTheRange) {

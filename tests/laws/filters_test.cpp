@@ -42,7 +42,8 @@ void expect_sound(const Query<Formula>& query, Sign truth, double width, Decided
   check(sign_beyond(determinant, error_bound_in_box<Formula>(width)), decided.by_box, "box");
   check(filtered_sign<Formula>(query), decided.by_points, "points");
   check(double_double_sign<Formula>(query), decided.by_double_doubles, "double-double");
-  check(detail::double_double_sign_here<Formula>(query), decided.by_double_doubles, "without instruction");
+  check(tribunal::detail::double_double_sign_here<Formula>(query), decided.by_double_doubles,
+        "without instruction");
 }
 
 template <int D>
@@ -72,12 +73,60 @@ void expect_each_finer_than_the_last() {
 TEST(Filters, NeverCertifyAWrongSignInThePlane) { expect_each_finer_than_the_last<2>(); }
 TEST(Filters, NeverCertifyAWrongSignInSpace) { expect_each_finer_than_the_last<3>(); }
 
+/// A value with the exact one that it stands for.
+template <class Value>
+struct Tracked {
+  Value value;
+  mpq_class exact;
+};
+
+/// |x' - x| <= c u m, the promise of the derivation.
+template <Filterable Value>
+void expect_promise(const Tracked<Value>& x, int c) {
+  const mpq_class error = abs(mpq_class(x.value.value) - x.exact);
+  EXPECT_LE(error, mpq_class(x.value.magnitude()) * mpq_class(c * 0x1p-53 * (1 + 0x1p-40)))
+      << x.value.value << " of magnitude " << x.value.magnitude() << ", c = " << c;
+}
+
+/// Each operation alone keeps its promise, also where its products underflow.
+TEST(Filters, KeepThePromiseOfEveryOperation) {
+  Random random(7);
+  const auto draw = [&random](int exponent) {
+    const double high = std::ldexp(random.unit() - 0.5, exponent),
+                 low = std::ldexp(random.unit(), exponent - 3);
+    return Tracked<FilteredDifference>{FilteredCoordinate{high} - FilteredCoordinate{low},
+                                       mpq_class(high) - mpq_class(low)};
+  };
+  const auto product = [](const auto& a, const auto& b) {
+    const auto value = a.value * b.value;
+    return Tracked<decltype(value)>{value, a.exact * b.exact};
+  };
+  for (const int exponent : {0, -255, -265, -340, -355, -500, -520, -535, -537})
+    for (int repeat = 0; repeat < 1000; ++repeat) {
+      const auto a = draw(exponent), b = draw(exponent), c = draw(exponent), d = draw(exponent);
+      expect_promise(product(a, b), 3);
+      const Tracked<FilteredValue> sum{a.value * b.value + c.value * d.value,
+                                       a.exact * b.exact + c.exact * d.exact},
+          difference{a.value * d.value - b.value * c.value, a.exact * d.exact - b.exact * c.exact};
+      expect_promise(sum, 4);
+      expect_promise(difference, 4);
+      expect_promise(product(draw(-1074 - 2 * exponent), sum), 6);
+      expect_promise(product(sum, difference), 9);
+      expect_promise(Tracked<FilteredValue>{sum.value + difference.value, sum.exact + difference.exact}, 5);
+      expect_promise(Tracked<FilteredValue>{sum.value - difference.value, sum.exact - difference.exact}, 5);
+      expect_promise(product(product(a, b), draw(-1074 - 2 * exponent)), 5);
+      expect_promise(Tracked<FilteredValue>{a.value + b.value, a.exact + b.exact}, 2);
+      expect_promise(Tracked<FilteredValue>{sum.value - (a.value * b.value), sum.exact - a.exact * b.exact},
+                     5);
+    }
+}
+
 /// With and without an FMA instruction, the same bits: the same decisions on every machine.
 TEST(DoubleDouble, IsTheSameWithAndWithoutTheInstruction) {
   for (const auto& family : families<2>())
     for (const auto& points : family.cases)
       ASSERT_EQ(double_double_sign<InSphere<2>>(points),
-                detail::double_double_sign_here<InSphere<2>>(points));
+                tribunal::detail::double_double_sign_here<InSphere<2>>(points));
 }
 
 /// The difference of two doubles is exact as a pair, whatever their exponents.

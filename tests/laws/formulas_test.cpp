@@ -31,25 +31,25 @@ void PrintTo(const Operations& o, std::ostream* out) {
 }
 
 /// A number that counts what is done with it, in a tally that it points to.
-struct Counting {
+struct CountedNumber {
   std::int64_t value;
   Operations* tally;
 
-  friend Counting operator+(Counting a, Counting b) {
-    return ++a.tally->sums, Counting{a.value + b.value, a.tally};
+  friend CountedNumber operator+(CountedNumber a, CountedNumber b) {
+    return ++a.tally->sums, CountedNumber{a.value + b.value, a.tally};
   }
-  friend Counting operator-(Counting a, Counting b) {
-    return ++a.tally->sums, Counting{a.value - b.value, a.tally};
+  friend CountedNumber operator-(CountedNumber a, CountedNumber b) {
+    return ++a.tally->sums, CountedNumber{a.value - b.value, a.tally};
   }
-  friend Counting operator*(Counting a, Counting b) {
-    return ++a.tally->products, Counting{a.value * b.value, a.tally};
+  friend CountedNumber operator*(CountedNumber a, CountedNumber b) {
+    return ++a.tally->products, CountedNumber{a.value * b.value, a.tally};
   }
 };
 
 template <class Formula>
 Operations count_operations() {
   Operations tally;
-  Arguments<Counting, Formula> arguments;
+  Arguments<CountedNumber, Formula> arguments;
   for (auto& point : arguments) point.fill({1, &tally});
   Formula::determinant(arguments);
   return tally;

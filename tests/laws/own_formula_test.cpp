@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -37,6 +39,64 @@ TEST(OwnFormula, EveryExactBackendGivesItsTrueSign) {
         }
   });
   EXPECT_EQ(asked, 7) << "redundant, fortune-van-wyk, interval, adaptive, filtered, fixed, gmp";
+}
+
+/// The determinant of three directions in other shapes than the listed formulas have: products of two
+/// products, sums of differences, a factor on the right.
+struct RightFactor {
+  static constexpr auto of(const auto& b, const auto& c, const auto& d) {
+    return (b[0] * c[1] - b[1] * c[0]) * d[2] + (c[0] * d[1] - c[1] * d[0]) * b[2] +
+           (d[0] * b[1] - d[1] * b[0]) * c[2];
+  }
+};
+struct ThreeFactors {
+  static constexpr auto of(const auto& b, const auto& c, const auto& d) {
+    return b[0] * c[1] * d[2] - b[1] * c[0] * d[2] + c[0] * d[1] * b[2] - c[1] * d[0] * b[2] +
+           d[0] * b[1] * c[2] - d[1] * b[0] * c[2];
+  }
+};
+struct SumOfDifferences {
+  static constexpr auto of(const auto& b, const auto& c, const auto& d) {
+    return b[0] * (c[1] + d[1]) - b[1] * (c[0] - d[0]) + b[0] * c[0] - b[1] * c[1];
+  }
+};
+struct ProductOfProducts {
+  static constexpr auto of(const auto& b, const auto& c, const auto&) {
+    return (b[0] * c[0]) * (b[0] * c[0]) - b[1] * c[1] * b[1] * c[1];
+  }
+};
+
+template <class Shape>
+struct OfDirections {
+  static constexpr int dimension = 3, points = 4;
+  static constexpr auto determinant(const auto& p) {
+    const auto from_first = [&p](int i) {
+      return std::array{p[i][0] - p[0][0], p[i][1] - p[0][1], p[i][2] - p[0][2]};
+    };
+    return Shape::of(from_first(1), from_first(2), from_first(3));
+  }
+};
+
+template <class Shape>
+class FormulaShape : public testing::Test {};
+using Shapes = testing::Types<RightFactor, ThreeFactors, SumOfDifferences, ProductOfProducts>;
+TYPED_TEST_SUITE(FormulaShape, Shapes);
+
+/// The rules for a formula ask nothing of its shape: every exact backend evaluates it, random and tied.
+TYPED_TEST(FormulaShape, IsEvaluatedByEveryExactBackend) {
+  using Formula = OfDirections<TypeParam>;
+  Random random(3);
+  std::vector<Point3> points;
+  for (int i = 0; i < 400; ++i) points.push_back(draw_point<3>([&] { return double(random.below(7)); }));
+  const int asked = for_each_exact_backend<Formula>(points, [&](const auto& backend) {
+    for (std::size_t i = 0; i + 4 <= points.size(); i += 2) {
+      const Query<Formula> query{points[i], points[i + 1], points[i + 2], points[i + 3]};
+      const auto counts = convert_arguments<std::int64_t, Formula>(
+          query, [](double c) { return static_cast<std::int64_t>(c); });
+      ASSERT_EQ(backend.template decide<Formula>(query).sign, sign_of(Formula::determinant(counts)));
+    }
+  });
+  EXPECT_EQ(asked, 7);
 }
 
 /// Two parallel directions whose coordinates were rounded: doubles get some wrong that all the others get

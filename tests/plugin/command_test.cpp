@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 namespace tribunal::plugin_tests {
 namespace {
 
@@ -66,6 +69,44 @@ TEST(Commands, WhatRunsOnIsStopped) {
   EXPECT_EQ(count(ended.json(), "hang"), 3);
 }
 
+/// Two seconds of the program in a shell, then an interrupt.
+int interrupted_status(const std::string& words) {
+  const int status = std::system(("timeout --preserve-status -s INT 2 " + program + " " + words).c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(Commands, AnInterruptPrintsWhatThereIsAndLeavesNothingBehind) {
+  const cli::Folder folder;
+  const std::string out = folder / "out", pid = folder / "pid";
+  const std::string command = "sleep 1000 & echo $! >" + pid + "; wait; : {points} {mesh}";
+  std::filesystem::create_directory(folder / "scratch");
+  setenv("TMPDIR", (folder / "scratch").c_str(), 1);
+  const int status =
+      interrupted_status("try --command '" + command + "' --seconds 600 --json --progress none >" + out);
+  unsetenv("TMPDIR");
+  EXPECT_EQ(status, 1);
+  const auto document = nlohmann::json::parse(cli::read(out));
+  EXPECT_FALSE(document["clean"]);
+  ASSERT_EQ(document["exercises"].size(), 1U);
+  EXPECT_EQ(document["exercises"][0]["reason"], "interrupted");
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "scratch"));
+  const std::string sleeper = "/proc/" + std::to_string(std::stoi(cli::read(pid)));
+  for (int tries = 0; tries < 100 && std::filesystem::exists(sleeper); ++tries)  // until it is reaped
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_FALSE(std::filesystem::exists(sleeper));
+}
+
+TEST(Commands, AnInterruptedBenchPrintsWhatWasMeasured) {
+  const cli::Folder folder;
+  const std::string out = folder / "out";
+  EXPECT_EQ(interrupted_status("bench predicates --json --repetitions 10000 --queries 1000 --progress none "
+                               "--backend double --family uni 2>/dev/null >" +
+                               out),
+            1);
+  const auto document = nlohmann::json::parse(cli::read(out));
+  EXPECT_EQ(document["cells"].size(), 1U);
+}
+
 TEST(Commands, BadUsageIsOneLine) {
   const std::vector<std::vector<std::string>> all{
       {"--command", "prog {points}"},
@@ -79,6 +120,10 @@ TEST(Commands, BadUsageIsOneLine) {
       {"--command", "true {points} {mesh}", "--dataset", "nonesuch"},
       {"--command", "true {points} {mesh}", "--points", "/nowhere/points.xy"},
       {"--command", "true {points} {mesh}", "--seconds", "0"},
+      {"--command", "true {points} {mesh}", "--seconds", "nan"},
+      {"--command", "true {points} {mesh}", "--seconds", "1e300"},
+      {"--command", "true {points} {mesh}", "--query", ""},
+      {"--command", "true {points} {mesh}", "--picture", "/proc/nowhere"},
       {},
   };
   for (const auto& words : all) {
