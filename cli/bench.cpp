@@ -50,13 +50,15 @@ std::vector<bench::Subject> chosen_subjects(const std::vector<std::string>& name
 }  // namespace
 
 int bench(const BenchOptions& options, Console& console) {
-  if (options.what != "predicates") throw BadUsage("bench what? predicates, not '" + options.what + "'");
+  if (options.what == "algorithms") return bench_algorithms(options, console);
+  if (options.what != "predicates")
+    throw BadUsage("bench what? predicates or algorithms, not '" + options.what + "'");
   bench::PredicateBenchOptions plan{.subjects = chosen_subjects(options.backends),
                                     .predicates = chosen_predicates(options.predicates),
                                     .families = chosen_families(options.families),
                                     .queries = options.queries,
                                     .seed = options.seed,
-                                    .stopwatch = {.rounds = options.repetitions},
+                                    .stopwatch = {.rounds = options.repetitions.value_or(21)},
                                     .progress = progress_printer(console)};
   if (options.peers) {
     for (const auto& [name, module] : built_peers())
