@@ -209,7 +209,7 @@ class CommandLine {
     auto* verb = add_verb("bench", "timings side by side, and the ratios aimed at",
                           "tribunal bench predicates --backend double --backend filtered --family uni", o,
                           tribunal::cli::bench);
-    verb->add_option("what", o.what, "predicates")->required();
+    verb->add_option("what", o.what, "predicates or algorithms")->required();
     verb->add_option("--backend", o.backends, "only this backend; may be repeated")->allow_extra_args(false);
     verb->add_option("--predicate", o.predicates, "only this predicate; may be repeated")
         ->allow_extra_args(false);
@@ -219,9 +219,16 @@ class CommandLine {
         ->check(check_whole_number)
         ->capture_default_str()
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{10'000'000}));
-    verb->add_option("--repetitions", o.repetitions, "rounds in which everything compared is timed once")
+    for (const auto& [name, named, what] :
+         {std::tuple{"--algorithm", &o.algorithms, "only this algorithm; may be repeated"},
+          {"--set", &o.settings, "a parameter of the algorithms, NAME=VALUE; each value of a name is run"},
+          {"--order", &o.orders, "only this insertion order; may be repeated"},
+          {"--dataset", &o.datasets, "points for the algorithms; may be repeated"}})
+      verb->add_option(name, *named, what)->allow_extra_args(false);
+    add_size(verb, o.n);
+    verb->add_option("--repetitions", o.repetitions,
+                     "rounds in which everything compared is timed once; default 21, of algorithms 7")
         ->check(check_whole_number)
-        ->capture_default_str()
         ->check(CLI::Range(1, 10'000));
     verb->add_option("--seed", o.seed, "seed of the queries")
         ->check(check_whole_number)

@@ -64,14 +64,18 @@ struct OptimizeOptions {
 int optimize(const OptimizeOptions& options, Console& console);
 
 struct BenchOptions {
-  std::string what;                                         ///< predicates
-  std::vector<std::string> backends, predicates, families;  ///< empty: all
-  std::uint64_t queries = 100'352;
+  std::string what;                               ///< predicates or algorithms
+  std::vector<std::string> backends;              ///< empty: all predicates', filtered for algorithms
+  std::vector<std::string> predicates, families;  ///< empty: all
+  std::vector<std::string> algorithms, settings, orders, datasets;  ///< all empty: what the goals name
+  std::uint64_t queries = 100'352;                                  ///< of predicates
+  std::uint64_t n = 0;                                              ///< of algorithms; 0: as the goals say
   std::uint64_t seed = 1;
-  int repetitions = 21;
+  std::optional<int> repetitions;  ///< none: 21 for predicates, 7 for algorithms
   bool peers = false;
 };
 int bench(const BenchOptions& options, Console& console);
+int bench_algorithms(const BenchOptions& options, Console& console);
 
 struct TryOptions {
   std::string plugin, command;         ///< one of them

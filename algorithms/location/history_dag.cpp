@@ -23,22 +23,49 @@ Index HistoryDag::add(const Node& node) {
   return static_cast<Index>(nodes_.size() - 1);
 }
 
-// Links lead to younger nodes only, so that even contradictory signs end in some leaf.
-Index HistoryDag::locate(Index site) {
-  std::uint32_t depth = 1;
-  Index at = first_node(site);
-  while (nodes_[at].left != PlanarMesh::none) {
-    const Node& node = nodes_[at];
-    __builtin_prefetch(&nodes_[node.left & ~continued]);
-    __builtin_prefetch(&nodes_[node.right & ~continued]);
-    const Sign where = node.to == infinite ? side_of_ray(node.from, site) : side(node.from, node.to, site);
-    const Index link = where == Sign::negative ? node.right : node.left;
-    at = link & ~continued;
-    depth += link == at;
+void HistoryDag::foresee(std::span<const Index> sites) {
+  foreseen_.clear();
+  for (const Index site : sites) foreseen_.push_back(begin(site));
+  std::size_t arrived = 0;
+  while (arrived < foreseen_.size()) {
+    for (const Path& path : foreseen_) fetch_line(path.at);
+    arrived = 0;
+    for (Path& path : foreseen_) {
+      if (is_leaf(path.at)) {
+        ++arrived;
+        continue;
+      }
+      descend(path);
+      __builtin_prefetch(&nodes_[path.at]);
+    }
   }
-  depths_.push_back(depth);
-  depth_sum_ += depth;
-  return nodes_[at].from;
+}
+
+void HistoryDag::fetch_line(Index at) const {
+  if (is_leaf(at)) return;
+  const Node& node = nodes_[at];
+  __builtin_prefetch(&problem_.points[node.from]);
+  if (node.to != infinite) __builtin_prefetch(&problem_.points[node.to]);
+}
+
+Index HistoryDag::locate(Index site) {
+  const auto known =
+      std::find_if(foreseen_.begin(), foreseen_.end(), [&](const Path& path) { return path.site == site; });
+  Path path = known == foreseen_.end() ? begin(site) : *known;
+  while (!is_leaf(path.at)) descend(path);
+  depths_.push_back(path.depth);
+  depth_sum_ += path.depth;
+  return nodes_[path.at].from;
+}
+
+// Links lead to younger nodes only, so that even contradictory signs end in some leaf.
+void HistoryDag::descend(Path& path) const {
+  const Node& node = nodes_[path.at];
+  const Sign where =
+      node.to == infinite ? side_of_ray(node.from, path.site) : side(node.from, node.to, path.site);
+  const Index link = where == Sign::negative ? node.right : node.left;
+  path.at = link & ~continued;
+  path.depth += link == path.at;
 }
 
 Index HistoryDag::first_node(Index site) const {

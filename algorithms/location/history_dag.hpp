@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace tribunal {
@@ -25,6 +26,10 @@ class HistoryDag {
  public:
   /// `mesh` holds the first triangle and its ghosts (add_first_triangle) and nothing else.
   HistoryDag(const PlanarProblem& problem, const PlanarMesh& mesh);
+
+  /// Follows the paths of sites that are to be located next, as far as they lead today: what is dead stays
+  /// dead. Side by side, because memory takes as long to answer one question as a dozen.
+  void foresee(std::span<const Index> sites);
 
   /// The living triangle that holds the site: finite (boundary included) or the ghost of its cone. The depth
   /// of its node is noted.
@@ -49,6 +54,12 @@ class HistoryDag {
   /// Marks a link to the second line of the same triangle.
   static constexpr Index continued = 0x80000000;
 
+  /// How far a site was followed.
+  struct Path {
+    Index site, at;
+    std::uint32_t depth;
+  };
+
   Index add(const Node& node);
   void add_leaf(Index slot) { leaf_of_[slot] = add({slot, 0, PlanarMesh::none, PlanarMesh::none}); }
   Index add_line(const Node& line) { return add(line) | continued; }
@@ -56,6 +67,10 @@ class HistoryDag {
   Node fork_finite(Index site, const Triangle& corner, const Triangle& leaf);
   Node fork_ghost(Index site, Index u, Index v, const Triangle& leaf);
 
+  bool is_leaf(Index node) const { return nodes_[node].left == PlanarMesh::none; }
+  Path begin(Index site) const { return {site, first_node(site), 1}; }
+  void fetch_line(Index node) const;
+  void descend(Path& path) const;
   Index first_node(Index site) const;
   Sign side(Index a, Index b, Index site) const;
   /// On which side of the ray from o through `through` the site lies; never zero for distinct sites.
@@ -66,6 +81,7 @@ class HistoryDag {
   Triangle origin_;
   std::vector<Node> nodes_;
   std::vector<Index> leaf_of_;  // by slot of the mesh
+  std::vector<Path> foreseen_;
   std::vector<std::uint32_t> depths_;
   std::uint64_t depth_sum_ = 0, triangles_ = 4;
 };

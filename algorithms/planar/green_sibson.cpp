@@ -14,6 +14,7 @@
 #include "algorithms/planar/listed.hpp"
 #include "algorithms/planar/renumbered.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -46,6 +47,7 @@ class WalkFromLast {
     last_ = walk(problem_, mesh_, last_, site, steps_);
     return last_;
   }
+  void foresee(std::span<const Index>) {}
   void split_triangle(Index, const Triangle&) {}
   void split_edge(Index, const std::array<Index, 4>&) {}
   void flip(Index, Index, Index, Index) {}
@@ -70,16 +72,9 @@ class GreenSibson {
         locator_(problem, mesh_),
         counters_(first_counters()) {}
 
-  void insert(Index site) {
-    const Index t = locator_.locate(site);
-    on_hull_ = mesh_.is_ghost(t);
-    const HalfEdge edge = on_hull_ ? PlanarMesh::none : edge_through(t, site);
-    star_size_ = edge == PlanarMesh::none ? split(t, site) : split_at(edge, site);
-    counters_.created += star_size_;
-    legalise(site);
-    counters_.tau_with_ghosts += star_size_;
-    counters_.tau += star_size_ - (on_hull_ ? 2 : 0);
-    counters_.outside_hull += on_hull_;
+  void insert(std::span<const Index> sites) {
+    locator_.foresee(sites);
+    for (const Index site : sites) insert_one(site);
   }
 
   Triangulation result() const {
@@ -99,6 +94,18 @@ class GreenSibson {
     const Triangle t = first_triangle(problem);
     add_first_triangle(mesh, t[0], t[1], t[2]);
     return mesh;
+  }
+
+  void insert_one(Index site) {
+    const Index t = locator_.locate(site);
+    on_hull_ = mesh_.is_ghost(t);
+    const HalfEdge edge = on_hull_ ? PlanarMesh::none : edge_through(t, site);
+    star_size_ = edge == PlanarMesh::none ? split(t, site) : split_at(edge, site);
+    counters_.created += star_size_;
+    legalise(site);
+    counters_.tau_with_ghosts += star_size_;
+    counters_.tau += star_size_ - (on_hull_ ? 2 : 0);
+    counters_.outside_hull += on_hull_;
   }
 
   /// The edge of the finite triangle t on which the site lies, or `none` when it lies inside.
@@ -176,7 +183,12 @@ class GreenSibson {
 template <class Locator>
 Triangulation insert_all(const PlanarProblem& problem) {
   GreenSibson<Locator> algorithm(problem);
-  for (const Index site : problem.sites.subspan(3)) algorithm.insert(site);
+  constexpr std::size_t most_at_once = 16;
+  for (auto left = problem.sites.subspan(3); !left.empty();) {
+    const auto some = left.first(std::min(left.size(), most_at_once));
+    algorithm.insert(some);
+    left = left.subspan(some.size());
+  }
   return algorithm.result();
 }
 

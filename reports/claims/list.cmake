@@ -1,5 +1,6 @@
 # The claims there are, in the order in which they are tried and shown: one name per file <name>.toml beside this list.
 set(tribunal_claims
+    T1
     T2
     T3
     T4
@@ -14,6 +15,12 @@ set(tribunal_claims
     T5-created
     T6
     T6-sorted
+    T6-brio
+    T6-hilbert
+    T6-walk
+    T6-jump
+    T6-curve
+    T7
     N-log-N
     F-double
     P1
