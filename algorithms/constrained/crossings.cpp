@@ -135,26 +135,45 @@ class Splitter {
     chain.push_back(to);
     chain.erase(std::unique(chain.begin(), chain.end(), [this](Index a, Index b) { return at(a) == at(b); }),
                 chain.end());
+    chain.back() = to;
     snap(from, to, sorted, chain);
     if (backwards) std::reverse(chain.begin(), chain.end());
     return chain;
   }
 
   /// Vertices on the segment from `from` to `to`, and those between it and the chain that takes its place,
-  /// become vertices of the chain. Both run upwards in lexicographic order, for rounding is monotone.
+  /// become vertices of the chain. Rounding is monotone in each coordinate, so both run one way in x and one
+  /// way in y.
   void snap(Index from, Index to, const std::vector<Index>& sorted, std::vector<Index>& chain) {
-    const auto first = std::upper_bound(sorted.begin(), sorted.end(), from,
-                                        [this](Index a, Index b) { return at(a) < at(b); });
+    const bool falls = at(to)[1] < at(from)[1];
+    const auto before = [&](Index a, Index b) {
+      if (at(a)[0] != at(b)[0]) return at(a)[0] < at(b)[0];
+      return falls ? at(a)[1] > at(b)[1] : at(a)[1] < at(b)[1];
+    };
     std::size_t piece = 0;
-    for (auto v = first; v != sorted.end() && at(*v) < at(to); ++v) {
-      while (at(chain[piece + 1]) < at(*v)) ++piece;
-      if (at(chain[piece + 1]) == at(*v)) continue;
-      const Sign before = kernel_->orient2d(at(from), at(to), at(*v));
-      const Sign after = kernel_->orient2d(at(chain[piece]), at(chain[piece + 1]), at(*v));
-      if (before != Sign::zero && after != -before) continue;
-      split_.snapped += before != Sign::zero;
-      chain.insert(chain.begin() + static_cast<std::ptrdiff_t>(piece) + 1, *v);
+    for (const Index v : vertices_in_box(from, to, sorted, before)) {
+      while (before(chain[piece + 1], v)) ++piece;
+      if (at(chain[piece + 1]) == at(v)) continue;
+      const Sign side = kernel_->orient2d(at(from), at(to), at(v));
+      const Sign side_of_chain = kernel_->orient2d(at(chain[piece]), at(chain[piece + 1]), at(v));
+      if (side != Sign::zero && side_of_chain != -side) continue;
+      split_.snapped += side != Sign::zero;
+      chain.insert(chain.begin() + static_cast<std::ptrdiff_t>(piece) + 1, v);
     }
+  }
+
+  /// The vertices in the box of a segment, its ends left out, in the order along it.
+  template <class Before>
+  std::vector<Index> vertices_in_box(Index from, Index to, const std::vector<Index>& sorted,
+                                     Before before) const {
+    const auto [low, high] = std::minmax({at(from)[1], at(to)[1]});
+    const auto first = std::lower_bound(sorted.begin(), sorted.end(), at(from)[0],
+                                        [this](Index v, double x) { return at(v)[0] < x; });
+    std::vector<Index> inside;
+    for (auto v = first; v != sorted.end() && at(*v)[0] <= at(to)[0]; ++v)
+      if (low <= at(*v)[1] && at(*v)[1] <= high && before(from, *v) && before(*v, to)) inside.push_back(*v);
+    std::sort(inside.begin(), inside.end(), before);
+    return inside;
   }
 
   SplitGraph split_;

@@ -54,14 +54,15 @@ Index Mesh::insert(Point2 position) {
   const Index vertex = vertices();
   points_.push_back(position);
   incident_.push_back(0);
-  const Index t = walk(problem(), mesh_, last_, vertex, counters_.location_steps);
+  const PlanarProblem problem{points_, {}, kernel_};
+  const Index t = walk(problem, mesh_, last_, vertex, counters_.location_steps);
   on_hull_ = mesh_.is_ghost(t);
   const HalfEdge edge = on_hull_ ? PlanarMesh::none : edge_through(t, vertex);
   if (edge == PlanarMesh::none)
     split_triangle(t, vertex);
   else
     split_edge(edge, vertex);
-  legalise(vertex);
+  legalise(problem, vertex);
   last_ = incident_[vertex];
   return vertex;
 }
@@ -140,7 +141,7 @@ void Mesh::split_edge(HalfEdge h, Index vertex) {
 
 /// Swaps edges opposite the new vertex until none is in conflict. Each swap adds one triangle to the star,
 /// and no vertex joins a star twice when the signs are right.
-void Mesh::legalise(Index vertex) {
+void Mesh::legalise(const PlanarProblem& problem, Index vertex) {
   Budget budget(std::uint64_t{vertices()} + 1, "swapping");
   std::uint64_t star = suspects_.size();
   while (!suspects_.empty()) {
@@ -149,7 +150,7 @@ void Mesh::legalise(Index vertex) {
     if (held(3 * t)) continue;
     const HalfEdge across = mesh_.twin(3 * t);
     ++counters_.conflict_tests;
-    if (!in_conflict(problem(), mesh_.triangle(triangle_of(across)), vertex)) continue;
+    if (!in_conflict(problem, mesh_.triangle(triangle_of(across)), vertex)) continue;
     budget.spend();
     if (mesh_.corner(across) == infinite || mesh_.corner(across) == vertex)
       throw Abandon(Outcome::inconsistent_predicate, "a swap would join a site to infinity or to itself");

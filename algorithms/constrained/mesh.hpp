@@ -72,13 +72,11 @@ class Mesh {
   }
 
  private:
-  PlanarProblem problem() const { return {points_, {}, kernel_}; }
   HalfEdge edge_through(Index t, Index vertex) const;
   Index add_triangle(Index a, Index b, Index c);
   void split_triangle(Index t, Index vertex);
   void split_edge(HalfEdge h, Index vertex);
-  void put_cut(Index t, Index u, HalfEdge edge, Index vertex);
-  void legalise(Index vertex);
+  void legalise(const PlanarProblem& problem, Index vertex);
   void touch(Index vertex, Index t) {
     if (vertex != infinite) incident_[vertex] = t;
   }

@@ -2,6 +2,7 @@
 // gets them, it is Green and Sibson's insertion with a walk from site to site; segments come through
 // triangulate_graph.
 #include "algorithms/constrained/mesh.hpp"
+#include "algorithms/constrained/parameters.hpp"
 #include "algorithms/planar/collect.hpp"
 #include "algorithms/planar/listed.hpp"
 
@@ -33,6 +34,7 @@ constinit const PlanarAlgorithm constrained_algorithm{
               .cites = "Lee, Lin 1986; Chew 1989; Sloan 1993; Anglada 1997",
               .summary = "constrained Delaunay of points and segments: insertion by walking, segments by "
                          "cavities or swaps"},
+    .parameters = constrained::parameters,
     .run = run,
 };
 

@@ -1,13 +1,10 @@
 // Graphs whose triangulations are known, and large real ones.
-#include "algorithms/mesh/canonical.hpp"
 #include "datasets/dataset.hpp"
 #include "datasets/real.hpp"
 #include "predicates/backends/list.hpp"
 #include "tests/constrained/lattice_graph.hpp"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace tribunal {
 namespace {
@@ -105,13 +102,6 @@ TEST(Known, CoastByBothRecoveries) {
     expect_valid(graph, Domain::hull, t);
     EXPECT_GE(t.constraints.size(), graph.segments.size());
   }
-}
-
-TEST(Known, CountiesAsArcsAndAsRings) {
-  const RealGraph arcs = county_arcs();
-  const LatticeGraph graph{arcs.points, arcs.segments, {}};
-  expect_valid(graph, Domain::hull, run(graph, Domain::hull, Recovery::cavity, Order::brio));
-  expect_valid(graph, Domain::carved, run(graph, Domain::carved, Recovery::swaps, Order::brio));
 }
 
 }  // namespace
