@@ -187,7 +187,11 @@ class CommandLine {
                           verify_options, tribunal::cli::verify);
     verb->add_option("points", verify_options.points, "the points, as they were triangulated")->required();
     verb->add_option("mesh", verify_options.mesh, "the mesh: .off or .ele")->required();
-    verb->add_option("--kind", verify_options.kind, "delaunay or triangulation")->capture_default_str();
+    verb->add_option("--kind", verify_options.kind, "delaunay, triangulation or constrained")
+        ->capture_default_str();
+    verb->add_option("--domain", verify_options.domain,
+                     "of kind constrained: hull, carved, even-odd, or auto: polygons even-odd, .poly carved")
+        ->capture_default_str();
   }
   void add_optimize() {
     auto& o = optimize_options;

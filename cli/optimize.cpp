@@ -18,6 +18,12 @@
 
 namespace tribunal::cli {
 namespace {
+/// A user's mesh over a user's points.
+struct MeshInput {
+  PointFile points;
+  MeshFile mesh;
+};
+
 using nlohmann::json;
 namespace fs = std::filesystem;
 
@@ -112,7 +118,8 @@ int optimize(const OptimizeOptions& options, Console& console) {
   const Settings settings = settings_for(optimizer.name, optimizer.parameters, options.settings);
   const BackendEntry& backend = backend_named(options.backend);
   check_outputs(options, console);
-  const MeshInput input = read_mesh_over(options.points, options.mesh);
+  MeshInput input{read_points(options.points), {}};
+  input.mesh = read_mesh_over(options.points, input.points, options.mesh);
   if (optimizer.reads_values && input.points.values.empty())
     throw BadInput(options.points + ": criterion " + options.criterion +
                    " reads data values from the third column, and there is none");

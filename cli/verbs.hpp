@@ -49,6 +49,7 @@ int triangulate(const TriangulateOptions& options, Console& console);
 struct VerifyOptions {
   std::string points, mesh;
   std::string kind = "delaunay";
+  std::string domain = "auto";  ///< with kind constrained: hull, carved, even-odd or auto
 };
 int verify(const VerifyOptions& options, Console& console);
 
