@@ -73,7 +73,7 @@ class Forcing {
       const Sign side = turn(a, b, apex);
       if (side == Sign::zero) refuse(segment);
       // `beyond` starts on the left of ab: what leaves the triangle there has its ends on both sides, too.
-      across = side == Sign::positive ? mesh().prev(beyond) : mesh().next(beyond);
+      across = side == Sign::positive ? mesh().next(beyond) : mesh().prev(beyond);
     }
   }
 

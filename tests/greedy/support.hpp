@@ -13,7 +13,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -57,15 +59,20 @@ class Plane {
       std::swap(sites_[2], sites_[i]);
       break;
     }
+    if (kernel_) problem_.emplace(PlanarProblem{points_, sites_, *kernel_});
   }
+  Plane(const Plane&) = delete;
+  Plane& operator=(const Plane&) = delete;
   /// False where the backend refuses the points.
   bool is_bound() const { return kernel_ != nullptr; }
-  PlanarProblem problem() const { return {points_, sites_, *kernel_}; }
+  /// Lives as long as the plane.
+  const PlanarProblem& problem() const { return *problem_; }
 
  private:
   std::vector<Point2> points_;
   std::vector<Index> sites_;
   std::unique_ptr<const Kernel2> kernel_;
+  std::optional<PlanarProblem> problem_;
 };
 
 /// A greedy triangulation by one of the methods: edges in order, triangles in one spelling.
