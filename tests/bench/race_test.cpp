@@ -13,7 +13,7 @@
 namespace tribunal::bench {
 namespace {
 
-const Method plain{.algorithm = "green-sibson"};
+const Method green_sibson{.algorithm = "green-sibson"};
 
 RaceOptions options_of(std::vector<Contestant> contestants, const char* dataset = "uniform",
                        std::uint64_t n = 100) {
@@ -24,9 +24,9 @@ RaceOptions options_of(std::vector<Contestant> contestants, const char* dataset 
   return options;
 }
 
-/// One that runs `plain`, tells `calls` its name, and does `mischief` to the result.
+/// One that runs `green_sibson`, tells `calls` its name, and does `mischief` to the result.
 Contestant stranger(const std::string& name, std::vector<std::string>& calls, void (*mischief)(Lap&)) {
-  const Contestant honest = contestant_of(plain, 1);
+  const Contestant honest = contestant_of(green_sibson, 1);
   return {name, Promise::delaunay, [=, &calls](std::span<const Point2> points) {
             calls.push_back(name);
             Lap lap = honest.run(points);
@@ -38,7 +38,7 @@ Contestant stranger(const std::string& name, std::vector<std::string>& calls, vo
 TEST(Race, EveryVariantFinishes) {
   std::vector<Contestant> contestants;
   for (const char* location : {"history", "walk", "jump-and-walk"}) {
-    Method method = plain;
+    Method method = green_sibson;
     method.settings = {{"location", location}};
     method.order = Order::brio;
     contestants.push_back(contestant_of(method, 7));
@@ -78,7 +78,7 @@ TEST(Race, RoundsAlternate) {
 }
 
 TEST(Race, RepeatedPointsRunOnce) {
-  const auto standings = race(options_of({contestant_of(plain, 1)}, "duplicates", 100));
+  const auto standings = race(options_of({contestant_of(green_sibson, 1)}, "duplicates", 100));
   EXPECT_EQ(standings[0].outcome, Outcome::ok) << standings[0].reason;
   EXPECT_LT(standings[0].course.n, 100u);
 }
