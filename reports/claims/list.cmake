@@ -50,7 +50,6 @@ set(tribunal_claims
     M4
     M5
     M6
-    M7
     M8
     G1
     G2
