@@ -81,7 +81,7 @@ TEST(Bench, AlgorithmsRaceInAllTheVariantsNamed) {
 }
 
 TEST(Bench, AWrongMeshHasNoTimeAndFails) {
-  const Ended ended = tribunal({"bench", "algorithms", "--dataset", "tilted-grid", "-n", "400", "--backend",
+  const Ended ended = tribunal({"bench", "algorithms", "--dataset", "near-circle", "-n", "400", "--backend",
                                 "float", "--repetitions", "1", "--json"});
   EXPECT_EQ(ended.status, 1);
   const auto time = ended.json().at("times").at(0);

@@ -8,7 +8,7 @@ namespace {
 
 const char* const square_with_hole =
     "8 2 0 0\n0 0 0\n1 8 0\n2 8 8\n3 0 8\n4 3 3\n5 5 3\n6 5 5\n7 3 5\n"
-    "8 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n4 4 5\n5 5 6\n6 6 7\n7 7 4\n1\n0 4 4.5\n";
+    "8 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n4 4 5\n5 5 6\n6 6 7\n7 7 4\n1\n0 4 4\n";
 const char* const square_with_ring = "POLYGON((0 0,8 0,8 8,0 8,0 0),\n(3 3,5 3,5 5,3 5,3 3))";
 const char* const cross = "4 2 0 0\n0 0 0\n1 3 1\n2 0 1\n3 3 0\n2 0\n0 0 1\n1 2 3\n0\n";
 
