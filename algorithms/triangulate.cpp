@@ -52,9 +52,14 @@ void connect_collinear(std::span<const Point2> points, std::vector<Index> sites,
 }  // namespace
 
 Triangulation triangulate(std::span<const Point2> points, std::span<const Index> order, const Kernel2& kernel,
-                          const PlanarAlgorithm& algorithm) {
+                          const PlanarAlgorithm& algorithm, const Settings& settings) {
   assert(order.size() == points.size());
   Triangulation front;
+  front.reason = refuse_settings(algorithm.about.name, algorithm.parameters, settings);
+  if (!front.reason.empty()) {
+    front.outcome = Outcome::refused_input;
+    return front;
+  }
   if (points.empty() || points.size() >= 0xFFFFFFFF / 3) {
     front.outcome = Outcome::refused_input;
     front.reason = points.empty() ? "there are no points" : "more points than 32-bit indices can serve";
@@ -74,7 +79,7 @@ Triangulation triangulate(std::span<const Point2> points, std::span<const Index>
 
   Triangulation result;
   try {
-    result = algorithm.run({points, sites, kernel});
+    result = algorithm.run({points, sites, kernel, settings});
   } catch (const Abandon& abandon) {
     result.outcome = abandon.outcome;
     result.reason = abandon.what();

@@ -16,6 +16,9 @@ using Index = std::uint32_t;
 using Triangle = std::array<Index, 3>;
 using Edge = std::array<Index, 2>;
 
+/// The edge between a and b, its smaller index first.
+constexpr Edge undirected(Index a, Index b) { return a < b ? Edge{a, b} : Edge{b, a}; }
+
 /// Structural counters: plain integers, always on, independent of the backend as long as its signs are right.
 /// tau, tau_with_ghosts and flips depend on points and order alone (identities: Guibas, Knuth, Sharir 1992).
 struct Counters {
@@ -25,8 +28,9 @@ struct Counters {
   std::uint64_t flips = 0;            ///< edge flips; 0 where the algorithm retriangulates cavities
   std::uint64_t on_edge = 0;          ///< sites that landed on an edge, hull edges included
   std::uint64_t outside_hull = 0;     ///< sites on the hull when inserted, counted from the third site on
-  std::uint64_t conflict_tests = 0;   ///< circle tests, ghosts included
-  std::uint64_t location_steps = 0;   ///< walk steps, history nodes visited or circles scanned
+  std::uint64_t conflict_tests =
+      0;  ///< circle tests, ghosts included; pairs of segments tried for a crossing
+  std::uint64_t location_steps = 0;  ///< walk steps, nodes of search structures visited or circles scanned
 };
 
 /// Shape of the history DAG (Green-Sibson). Depth of a site: nodes on its path from the root to the triangle

@@ -21,6 +21,11 @@ void check_sizes(const Cell& cell) {
   if (cell.repeats < 1) throw BadInput("repeats is at least 1");
 }
 
+void check_parameters(const Cell& cell, std::span<const Parameter> parameters) {
+  if (const std::string reason = refuse_settings(cell.task, parameters, cell.parameters); !reason.empty())
+    throw BadInput(reason);
+}
+
 void set_outcome(Row& row, Outcome outcome, std::string reason) {
   row.outcome = to_string(outcome);
   row.reason = std::move(reason);
@@ -51,6 +56,7 @@ void count_structure(const Triangulation& t, std::map<std::string, double>& coun
 }
 
 void run_experiment(const Experiment& experiment, const Cell& cell, Row& row) {
+  check_parameters(cell, experiment.parameters);
   Finding finding = experiment.run(cell);
   set_outcome(row, finding.outcome, std::move(finding.reason));
   row.counters = std::move(finding.counters);
@@ -65,7 +71,9 @@ class AlgorithmCell {
       : algorithm_(algorithm),
         cell_(cell),
         points_(cell_points(cell)),
-        order_(cell_order(points_, cell, cell.order_seed)) {}
+        order_(cell_order(points_, cell, cell.order_seed)) {
+    check_parameters(cell, algorithm.parameters);
+  }
 
   void run(Row& row) const {
     row.counters["points"] = static_cast<double>(points_.size());
@@ -86,13 +94,14 @@ class AlgorithmCell {
     const CountedKernel2 counted(kernel, calls);
     const bool counts = cell_.measure == Measure::counts;
     const PeakMemory memory;
-    Triangulation result = triangulate(points_, order_, counts ? counted : kernel, algorithm_);
+    Triangulation result =
+        triangulate(points_, order_, counts ? counted : kernel, algorithm_, cell_.parameters);
     row.peak_bytes = memory.growth();
     for (const auto& [name, value] : calls.named()) row.counters[name] = static_cast<double>(value);
     set_outcome(row, result.outcome, result.reason);
     if (result.outcome != Outcome::ok) return result;
     count_structure(result, row.counters);
-    const Judgement judgement = judge(points_, result);
+    const Judgement judgement = judge(points_, result, algorithm_.about.promise);
     set_outcome(row, judgement.outcome, judgement.reason);
     row.counters["ties"] = static_cast<double>(judgement.ties);
     row.digest = to_hex(digest(result.triangles));
@@ -102,7 +111,7 @@ class AlgorithmCell {
   void take_times(const Kernel2& kernel, const Triangulation& first, Row& row) const {
     for (int repeat = 0; repeat < cell_.repeats; ++repeat) {
       const double start = thread_seconds();
-      const Triangulation again = triangulate(points_, order_, kernel, algorithm_);
+      const Triangulation again = triangulate(points_, order_, kernel, algorithm_, cell_.parameters);
       row.seconds.push_back(thread_seconds() - start);
       if (again.triangles == first.triangles) continue;
       set_outcome(row, Outcome::inconsistent_predicate, "a repetition gave another mesh");

@@ -61,6 +61,21 @@ Reads reads_of(const std::string& task) {
   return {.backend = true, .dataset = true, .bits = true, .seed = true, .order = true};
 }
 
+std::span<const Parameter> parameters_of(const std::string& task) {
+  const Experiment* experiment = find_experiment(task);
+  return experiment != nullptr ? experiment->parameters : find_planar_algorithm(task)->parameters;
+}
+
+/// One spelling of each variant: of an experiment every parameter, of an algorithm those that are not
+/// standard.
+void normalise_parameters(Cell& cell) {
+  const auto parameters = parameters_of(cell.task);
+  if (find_experiment(cell.task) != nullptr)
+    for (const Parameter& parameter : parameters) cell.parameters.emplace(parameter.name, parameter.standard);
+  else
+    cell.parameters = without_defaults(parameters, cell.parameters);
+}
+
 /// Turns one [[cells]] block into axes and multiplies them out.
 class Block {
  public:
@@ -155,7 +170,7 @@ class Block {
       const bool experiment = find_experiment(task) != nullptr;
       check_key(task, "measure", false, !experiment);
       check_key(task, "repeats", false, !experiment);
-      check_key(task, "parameters", false, experiment);
+      check_key(task, "parameters", false, !parameters_of(task).empty());
     }
   }
 
@@ -229,14 +244,10 @@ class Block {
     std::string text =
         node.is_integer() ? std::to_string(node.as_integer()->get()) : reader_.text(node, key.str());
     for (const std::string& task : tasks_) {
-      const auto parameters = find_experiment(task)->parameters;
-      const auto found = std::find_if(parameters.begin(), parameters.end(), [&](const Parameter& parameter) {
-        return parameter.name == key.str();
-      });
-      if (found == parameters.end())
-        reader_.fail(key.source(), task + " has no parameter \"" + std::string(key.str()) + "\"");
-      const std::string reason = refuse(*found, text);
-      if (!reason.empty()) reader_.fail(node, reason);
+      const auto parameters = parameters_of(task);
+      const Parameter* parameter = find_parameter(parameters, key.str());
+      if (parameter == nullptr) reader_.fail(key.source(), describe_unknown(task, parameters, key.str()));
+      if (const std::string reason = refuse(*parameter, text); !reason.empty()) reader_.fail(node, reason);
     }
     return text;
   }
@@ -252,9 +263,7 @@ class Block {
     if (dataset != nullptr && dataset->about.fixed_size > 0)
       cell.n = cell.n == 0 ? dataset->about.fixed_size : std::min(cell.n, dataset->about.fixed_size);
     if (cell.measure == Measure::counts) cell.repeats = 1;
-    if (const Experiment* experiment = find_experiment(cell.task))
-      for (const Parameter& parameter : experiment->parameters)
-        cell.parameters.emplace(parameter.name, parameter.standard);
+    normalise_parameters(cell);
     return cell;
   }
 

@@ -36,8 +36,10 @@ bool path_is_whole(const Triangulation& t, std::uint64_t sites) {
 
 }  // namespace
 
-Judgement judge(std::span<const Point2> points, const Triangulation& triangulation) {
-  const verify::Verdict verdict = verify::verify_planar(points, {.triangles = triangulation.triangles});
+Judgement judge(std::span<const Point2> points, const Triangulation& triangulation, Promise promise) {
+  const auto kind = promise == Promise::delaunay ? verify::Kind::delaunay : verify::Kind::triangulation;
+  const verify::Verdict verdict =
+      verify::verify_planar(points, {.triangles = triangulation.triangles}, {.kind = kind});
   Judgement judgement{outcome_of(verdict.faults), {}, verdict.ties};
   if (!verdict.valid()) {
     const Fault& first = verdict.faults.front();

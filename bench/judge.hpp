@@ -1,7 +1,7 @@
 // From the exact checker's verdict to the outcome of a row.
 #pragma once
 
-#include "algorithms/triangulation.hpp"
+#include "algorithms/algorithm.hpp"
 #include "algorithms/verify/verify.hpp"
 #include "predicates/point.hpp"
 
@@ -17,9 +17,10 @@ struct Judgement {
   std::uint64_t ties = 0;  ///< cocircular quadruples across interior edges
 };
 
-/// Checks a finished triangulation. A site left out explains a wrong count and a wrong hull, so
-/// `missing_site` is the outcome where nothing else is wrong with the topology; `non_delaunay` is said of
-/// valid triangulations only.
-Judgement judge(std::span<const Point2> points, const Triangulation& triangulation);
+/// Checks a finished triangulation for what its algorithm promises. A site left out explains a wrong count
+/// and a wrong hull, so `missing_site` is the outcome where nothing else is wrong with the topology;
+/// `non_delaunay` is said of valid triangulations only.
+Judgement judge(std::span<const Point2> points, const Triangulation& triangulation,
+                Promise promise = Promise::delaunay);
 
 }  // namespace tribunal::bench

@@ -28,7 +28,7 @@ struct Cell {
   std::string order = "random";  ///< random, input, hilbert, x or brio
   Measure measure = Measure::counts;
   int repeats = 1;                                ///< timed samples
-  std::map<std::string, std::string> parameters;  ///< of an experiment
+  std::map<std::string, std::string> parameters;  ///< of an experiment, or of an algorithm where not standard
 };
 
 /// What came of a cell.

@@ -73,14 +73,16 @@ void add_peers(bench::PredicateBenchOptions& plan, Console& console) {
 }  // namespace
 
 int bench(const BenchOptions& options, Console& console) try {
-  if (options.what != "predicates") throw BadUsage("bench what? predicates, not '" + options.what + "'");
+  if (options.what == "algorithms") return bench_algorithms(options, console);
+  if (options.what != "predicates")
+    throw BadUsage("bench what? predicates or algorithms, not '" + options.what + "'");
   bench::PredicateBenchOptions plan;
   plan.subjects = chosen_subjects(options.backends);
   plan.predicates = chosen_predicates(options.predicates);
   plan.families = chosen_families(options.families);
   plan.queries = options.queries;
   plan.seed = options.seed;
-  plan.stopwatch.rounds = options.repetitions;
+  plan.stopwatch.rounds = options.repetitions.value_or(21);
   plan.progress = progress_printer(console);
   std::optional<OwnOutput> output;
   if (options.peers) {

@@ -64,14 +64,6 @@ json goal_document(const MeasuredGoal& measured) {
   return document;
 }
 
-/// Three significant digits, never an exponent: "1.26", "12.6", "1260".
-std::string three_digits(double value) {
-  std::array<char, 32> text{};
-  const int decimals = value < 9.995 ? 2 : value < 99.95 ? 1 : 0;
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  return text.data();
-}
-
 /// So many significant digits, trailing zeros left out: "0.22", "3.1e-05".
 std::string digits(double value, int significant) {
   std::array<char, 32> text{};
@@ -159,6 +151,13 @@ void print_faults(Console& console, std::span<const MicroCell> cells) {
 }
 
 }  // namespace
+
+std::string three_digits(double value) {
+  std::array<char, 32> text{};
+  const int decimals = value < 9.995 ? 2 : value < 99.95 ? 1 : 0;
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+  return text.data();
+}
 
 json bench_document(const bench::PredicateBenchOptions& plan, std::span<const MicroCell> cells,
                     std::span<const MeasuredGoal> goals) {

@@ -8,8 +8,12 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <span>
+#include <string>
 
 namespace tribunal::cli {
+
+/// Three significant digits, never an exponent: "1.26", "12.6", "1260".
+std::string three_digits(double value);
 
 /// As cli/schemas/bench.schema.json says.
 nlohmann::json bench_document(const bench::PredicateBenchOptions& plan,

@@ -18,13 +18,26 @@ namespace tribunal::cli {
 namespace {
 using nlohmann::json;
 
+json parameter_json(const Parameter& parameter) {
+  json entry{{"name", parameter.name},
+             {"summary", parameter.summary},
+             {"default", parameter.standard},
+             {"values", describe_values(parameter)}};
+  if (parameter.choices != nullptr) entry["choices"] = parameter.choices();
+  return entry;
+}
+
 json list_algorithms() {
   json all = json::array();
-  for (const auto& [about, run] : planar_algorithms())
+  for (const auto& [about, parameters, run] : planar_algorithms()) {
+    json listed = json::array();
+    for (const Parameter& parameter : parameters) listed.push_back(parameter_json(parameter));
     all.push_back({{"name", about.name},
                    {"dimension", about.dimension},
                    {"cites", about.cites},
-                   {"summary", about.summary}});
+                   {"summary", about.summary},
+                   {"parameters", listed}});
+  }
   return all;
 }
 
@@ -104,6 +117,20 @@ void print_entries(Console& console, const json& entries, const std::vector<std:
   print_table(console, rows);
 }
 
+/// What `--set` takes, one line for each parameter of each algorithm.
+void print_parameters(Console& console, const json& algorithms) {
+  std::vector<std::vector<std::string>> rows{{"parameter of", "name", "default", "values", "summary"}};
+  for (const json& algorithm : algorithms)
+    for (const json& parameter : algorithm.at("parameters")) {
+      auto& row = rows.emplace_back();
+      row.push_back(cell_text(algorithm.at("name")));
+      for (const char* key : {"name", "default", "values", "summary"})
+        row.push_back(cell_text(parameter.at(key)));
+    }
+  console.out << '\n';
+  print_table(console, rows);
+}
+
 }  // namespace
 
 int list(const ListOptions& options, Console& console) {
@@ -127,11 +154,13 @@ int list(const ListOptions& options, Console& console) {
   for (const Listing& listing : listings) {
     if (options.what != listing.what) continue;
     const json entries = listing.entries();
-    if (console.json)
+    if (console.json) {
       print_json(console, {{options.what, entries}});
-    else
-      print_entries(console, entries, listing.columns);
-    if (!console.json) console.out << listing.note;
+      return good;
+    }
+    print_entries(console, entries, listing.columns);
+    if (options.what == "algorithms") print_parameters(console, entries);
+    console.out << listing.note;
     return good;
   }
   throw BadUsage("list what? algorithms, backends, datasets, claims, formats or peers, not '" + options.what +

@@ -54,6 +54,26 @@ const QueryFamily& query_family_named(const std::string& name) {
   refuse("family of queries", name, query_families(), [](const auto& f) { return f.name; });
 }
 
+const MeshOptimizer& optimizer_named(const std::string& name) {
+  if (const auto* found = find_mesh_optimizer(name)) return *found;
+  refuse("criterion", name, mesh_optimizers(), [](const auto& o) { return o.name; });
+}
+
+Settings settings_for(std::string_view owner, std::span<const Parameter> parameters,
+                      const std::vector<std::string>& texts) {
+  Settings settings;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) throw BadUsage("--set wants NAME=VALUE, not '" + text + "'");
+    const std::string name = text.substr(0, equals);
+    if (!settings.emplace(name, text.substr(equals + 1)).second)
+      throw BadUsage("--set gives " + name + " twice");
+  }
+  const std::string reason = refuse_settings(owner, parameters, settings);
+  if (!reason.empty()) throw BadUsage(reason);
+  return settings;
+}
+
 std::vector<std::string> each_once(std::span<const std::string> names) {
   std::vector<std::string> once;
   for (const std::string& name : names)

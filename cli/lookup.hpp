@@ -2,6 +2,7 @@
 #pragma once
 
 #include "algorithms/algorithm.hpp"
+#include "algorithms/flips/optimizers.hpp"
 #include "datasets/dataset.hpp"
 #include "datasets/queries/queries.hpp"
 #include "predicates/backends/backend.hpp"
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tribunal::cli {
@@ -21,6 +23,12 @@ const Dataset& dataset_named(const std::string& name);
 Order order_named(const std::string& name);
 Predicate predicate_named(const std::string& name);
 const QueryFamily& query_family_named(const std::string& name);
+const MeshOptimizer& optimizer_named(const std::string& name);
+
+/// "name=value" texts as settings that `owner` takes, which has these parameters. Throws BadUsage for what is
+/// none, and for a name that comes twice.
+Settings settings_for(std::string_view owner, std::span<const Parameter> parameters,
+                      const std::vector<std::string>& texts);
 
 /// The names in their order, those said twice once.
 std::vector<std::string> each_once(std::span<const std::string> names);

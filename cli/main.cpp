@@ -82,6 +82,7 @@ class CommandLine {
     add_sign(std::move(numbers));
     add_triangulate();
     add_verify();
+    add_optimize();
     add_try();
     add_bench();
     add_fuzz();
@@ -168,6 +169,8 @@ class CommandLine {
                           "tribunal triangulate points.xy -o mesh.off --stats stats.json", o, triangulate);
     verb->add_option("points", o.points, "a file, - for standard input, or a dataset's name")->required();
     verb->add_option("--algorithm", o.algorithm, "see tribunal list algorithms")->capture_default_str();
+    verb->add_option("--set", o.settings, "a parameter of the algorithm, NAME=VALUE; may be repeated")
+        ->allow_extra_args(false);
     verb->add_option("--backend", o.backend, "see tribunal list backends")->capture_default_str();
     verb->add_option("--order", o.order, "insertion order: random, input, hilbert, x or brio")
         ->capture_default_str();
@@ -184,14 +187,33 @@ class CommandLine {
                           verify_options, tribunal::cli::verify);
     verb->add_option("points", verify_options.points, "the points, as they were triangulated")->required();
     verb->add_option("mesh", verify_options.mesh, "the mesh: .off or .ele")->required();
-    verb->add_option("--kind", verify_options.kind, "delaunay or triangulation")->capture_default_str();
+    verb->add_option("--kind", verify_options.kind, "delaunay, triangulation or constrained")
+        ->capture_default_str();
+    verb->add_option("--domain", verify_options.domain,
+                     "of kind constrained: hull, carved, even-odd, or auto: polygons even-odd, .poly carved")
+        ->capture_default_str();
+  }
+  void add_optimize() {
+    auto& o = optimize_options;
+    auto* verb = add_verb("optimize", "flip the edges of a mesh while that makes it better",
+                          "tribunal optimize points.xy mesh.off --criterion minmax -o better.off", o,
+                          tribunal::cli::optimize);
+    verb->add_option("points", o.points, "the points of the mesh")->required();
+    verb->add_option("mesh", o.mesh, "the mesh: .off or .ele")->required();
+    verb->add_option("--criterion", o.criterion, "delaunay, minmax, or minmax-global")->capture_default_str();
+    verb->add_option("--set", o.settings, "a parameter of the flips, NAME=VALUE; may be repeated")
+        ->allow_extra_args(false);
+    verb->add_option("--backend", o.backend, "see tribunal list backends")->capture_default_str();
+    verb->add_option("-o,--output", o.output, "mesh file: .off or .ele");
+    verb->add_option("--stats", o.stats, "statistics as JSON");
+    verb->add_option("--picture", o.picture, "picture: .svg");
   }
   void add_bench() {
     auto& o = bench_options;
     auto* verb = add_verb("bench", "timings side by side, and the ratios aimed at",
                           "tribunal bench predicates --backend double --backend filtered --family uni", o,
                           tribunal::cli::bench);
-    verb->add_option("what", o.what, "predicates")->required();
+    verb->add_option("what", o.what, "predicates or algorithms")->required();
     verb->add_option("--backend", o.backends, "only this backend; may be repeated")->allow_extra_args(false);
     verb->add_option("--predicate", o.predicates, "only this predicate; may be repeated")
         ->allow_extra_args(false);
@@ -201,9 +223,16 @@ class CommandLine {
         ->check(check_whole_number)
         ->capture_default_str()
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{10'000'000}));
-    verb->add_option("--repetitions", o.repetitions, "rounds in which everything compared is timed once")
+    for (const auto& [name, named, what] :
+         {std::tuple{"--algorithm", &o.algorithms, "only this algorithm; may be repeated"},
+          {"--set", &o.settings, "a parameter of the algorithms, NAME=VALUE; each value of a name is run"},
+          {"--order", &o.orders, "only this insertion order; may be repeated"},
+          {"--dataset", &o.datasets, "points for the algorithms; may be repeated"}})
+      verb->add_option(name, *named, what)->allow_extra_args(false);
+    add_size(verb, o.n);
+    verb->add_option("--repetitions", o.repetitions,
+                     "rounds in which everything compared is timed once; default 21, of algorithms 7")
         ->check(check_whole_number)
-        ->capture_default_str()
         ->check(CLI::Range(1, 10'000));
     verb->add_option("--seed", o.seed, "seed of the queries")
         ->check(check_whole_number)
@@ -318,6 +347,7 @@ class CommandLine {
       stray_numbers;  // what take_numbers did not take for numbers, for `sign` to refuse by name
   TriangulateOptions triangulate_options;
   VerifyOptions verify_options;
+  OptimizeOptions optimize_options;
   BenchOptions bench_options;
   TryOptions try_options;
   FuzzOptions fuzz_options;

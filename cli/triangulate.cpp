@@ -1,10 +1,14 @@
 // tribunal triangulate: the user's points to a mesh.
 #include "algorithms/triangulate.hpp"
 
+#include "algorithms/constrained/parameters.hpp"
 #include "algorithms/mesh/canonical.hpp"
+#include "algorithms/verify/verify.hpp"
 #include "bench/judge.hpp"
 #include "bench/measure.hpp"
+#include "cli/graph_input.hpp"
 #include "cli/lookup.hpp"
+#include "cli/predicate_counts.hpp"
 #include "cli/verbs.hpp"
 #include "datasets/files/files.hpp"
 #include "datasets/files/picture.hpp"
@@ -14,6 +18,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <ostream>
 
 namespace tribunal::cli {
@@ -25,13 +30,29 @@ bool names_dataset(const TriangulateOptions& options) {
   return options.points != "-" && !fs::exists(options.points) && find_dataset(options.points) != nullptr;
 }
 
-/// A file, standard input ("-"), or, where no such file is, a dataset of that name.
-PointFile points_of(const TriangulateOptions& options) {
-  if (!names_dataset(options)) return read_points(options.points);
-  PointFile file;
-  file.points = generate(dataset_named(options.points), options.n, options.seed);
-  return file;
+/// What the user chose, by name.
+struct Method {
+  const PlanarAlgorithm& algorithm;
+  Settings settings;
+  const BackendEntry& backend;
+  Order order;
+};
+
+Method method_of(const TriangulateOptions& options) {
+  const PlanarAlgorithm& algorithm = algorithm_named(options.algorithm);
+  return {algorithm, settings_for(algorithm.about.name, algorithm.parameters, options.settings),
+          backend_named(options.backend), order_named(options.order)};
 }
+
+/// Points, and segments where the file holds any.
+struct Input {
+  PointFile alone;
+  std::optional<GraphInput> with_segments;
+
+  const PointFile& points() const { return with_segments ? with_segments->file.sites : alone; }
+};
+
+fs::path poly_beside(const fs::path& mesh) { return fs::path(mesh).replace_extension(".poly"); }
 
 /// What is wrong with the outputs is said before anything is computed.
 void check_outputs(const TriangulateOptions& options, const Console& console) {
@@ -42,9 +63,31 @@ void check_outputs(const TriangulateOptions& options, const Console& console) {
   if (!options.picture.empty()) require_picture_ending(options.picture);
   if (options.mesh.empty() || options.mesh == "-") return;
   std::error_code none;
-  for (const fs::path& file : mesh_files(options.mesh))
+  std::vector<fs::path> files = mesh_files(options.mesh);
+  if (files.size() > 1) files.push_back(poly_beside(options.mesh));
+  for (const fs::path& file : files)
     if (fs::equivalent(file, options.points, none))
       throw BadUsage(file.string() + " would overwrite its own input");
+}
+
+/// A file, standard input ("-"), or, where no such file is, a dataset of that name.
+Input input_of(const TriangulateOptions& options, const Method& method) {
+  Input input;
+  if (names_dataset(options)) {
+    input.alone.points = generate(dataset_named(options.points), options.n, options.seed);
+    return input;
+  }
+  std::optional<PslgFile> file = read_pslg(options.points);
+  if (!file)
+    input.alone = read_points(options.points);
+  else if (file->segments.empty())
+    input.alone = std::move(file->sites);
+  else if (method.algorithm.about.name != "constrained")
+    throw BadUsage(options.points + " holds segments, which " + options.algorithm +
+                   " would lose; --algorithm constrained keeps them");
+  else
+    input.with_segments = graph_input(options.points, std::move(*file), method.settings);
+  return input;
 }
 
 /// "coast.xy:17: knuth: ...": where the refused point stands and why it is refused.
@@ -54,49 +97,66 @@ std::string describe(const Refusal& refusal, const PointFile& file, const Triang
   return options.points + ":" + place + ": " + options.backend + ": " + refusal.reason;
 }
 
-json predicates_json(const PredicateCounts& counts) {
-  json predicates = json::object();
-  for (std::size_t p = 0; p < predicate_names.size(); ++p) {
-    const auto predicate = static_cast<Predicate>(p);
-    if (counts.total(predicate) == 0) continue;
-    json stages = json::object();
-    for (std::size_t s = 0; s < stage_names.size(); ++s)
-      if (const auto calls = counts.at(predicate, static_cast<Stage>(s)))
-        stages[std::string(stage_names[s])] = calls;
-    predicates[std::string(predicate_names[p])] = {{"calls", counts.total(predicate)}, {"stages", stages}};
-  }
-  return predicates;
-}
-
 struct Run {
   Triangulation result;
+  std::optional<ConstrainedTriangulation> constrained;  ///< its triangulation is in `result`
   PredicateCounts counts;
   double seconds = 0;
   std::uint64_t peak_bytes = 0;
 };
 
-/// Triangulates, and has the result of a backend that promises nothing checked. Predicates are counted in a
-/// run of its own where somebody wants them, so that counting costs no measured time.
-Run run_algorithm(const PointFile& file, const Kernel2& kernel, const PlanarAlgorithm& algorithm,
-                  const BackendEntry& backend, Order order_kind, const TriangulateOptions& options,
-                  bool counted) {
-  Run run;
-  const auto order = insertion_order(file.points, order_kind, options.seed);
-  const bench::PeakMemory memory;
-  const double start = bench::thread_seconds();
-  run.result = tribunal::triangulate(file.points, order, kernel, algorithm);
-  run.seconds = bench::thread_seconds() - start;
-  run.peak_bytes = memory.growth();
-  if (counted) tribunal::triangulate(file.points, order, CountedKernel2(kernel, run.counts), algorithm);
-  if (!backend.about->exact && run.result.outcome == Outcome::ok) {
-    const bench::Judgement judgement = bench::judge(file.points, run.result);
+void triangulate_once(const Method& method, const Input& input, std::span<const Index> order,
+                      const Kernel2& kernel, Run& run) {
+  if (!input.with_segments) {
+    run.result = tribunal::triangulate(input.alone.points, order, kernel, method.algorithm, method.settings);
+    return;
+  }
+  run.constrained =
+      triangulate_graph(input.with_segments->graph(), order, kernel, constrained::recovery(method.settings));
+  run.result = std::move(run.constrained->mesh);
+}
+
+/// The exact checker's word on the result of a backend that promises nothing.
+void judge(const Input& input, Promise promise, Run& run) {
+  if (!input.with_segments) {
+    const bench::Judgement judgement = bench::judge(input.alone.points, run.result, promise);
     run.result.outcome = judgement.outcome;
     run.result.reason = judgement.reason;
+    return;
   }
+  const Graph graph = input.with_segments->graph();
+  const auto verdict = verify::verify_constrained(
+      graph.points, {run.result.triangles},
+      {graph.segments, graph.holes, static_cast<verify::Domain>(graph.domain)}, {.max_faults = 1});
+  if (verdict.valid()) return;
+  const auto& fault = verdict.faults.front();
+  run.result.outcome =
+      fault.kind == verify::FaultKind::non_delaunay ? Outcome::non_delaunay : Outcome::invalid_topology;
+  run.result.reason = fault.detail;
+}
+
+/// Triangulates. Predicates are counted in a run of its own where somebody wants them, so that counting costs
+/// no measured time.
+Run run_method(const Method& method, const Input& input, const Kernel2& kernel, std::uint64_t seed,
+               bool counted) {
+  Run run;
+  const auto order = insertion_order(input.points().points, method.order, seed);
+  const bench::PeakMemory memory;
+  const double start = bench::thread_seconds();
+  triangulate_once(method, input, order, kernel, run);
+  run.seconds = bench::thread_seconds() - start;
+  run.peak_bytes = memory.growth();
+  if (counted) {
+    Run again;
+    triangulate_once(method, input, order, CountedKernel2(kernel, run.counts), again);
+  }
+  if (!method.backend.about->exact && run.result.outcome == Outcome::ok)
+    judge(input, method.algorithm.about.promise, run);
   return run;
 }
 
-json stats_json(const TriangulateOptions& options, std::size_t n, const Run& run) {
+json stats_json(const TriangulateOptions& options, const Settings& settings, const Input& input,
+                const Run& run) {
   const Triangulation& t = run.result;
   const Counters& c = t.counters;
   json history = nullptr;
@@ -105,31 +165,34 @@ json stats_json(const TriangulateOptions& options, std::size_t n, const Run& run
                {"depth_mean", t.history->depth_mean},
                {"depth_late_mean", t.history->depth_late_mean},
                {"depth_max", t.history->depth_max}};
-  return {{"algorithm", options.algorithm},
-          {"backend", options.backend},
-          {"order", options.order},
-          {"seed", options.seed},
-          {"n", n},
-          {"duplicates", t.duplicates.size()},
-          {"outcome", to_string(t.outcome)},
-          {"reason", t.reason},
-          {"dimension", t.dimension},
-          {"triangles", t.triangles.size()},
-          {"edges", t.edges},
-          {"hull", t.hull},
-          {"tau", c.tau},
-          {"tau_with_ghosts", c.tau_with_ghosts},
-          {"created", c.created},
-          {"flips", c.flips},
-          {"on_edge", c.on_edge},
-          {"outside_hull", c.outside_hull},
-          {"conflict_tests", c.conflict_tests},
-          {"location_steps", c.location_steps},
-          {"history", history},
-          {"predicates", predicates_json(run.counts)},
-          {"digest", to_hex(digest(t.triangles))},
-          {"seconds", run.seconds},
-          {"peak_bytes", run.peak_bytes}};
+  return {
+      {"algorithm", options.algorithm},
+      {"parameters", settings},
+      {"backend", options.backend},
+      {"order", options.order},
+      {"seed", options.seed},
+      {"n", input.points().points.size()},
+      {"segments", run.constrained ? segments_json(*input.with_segments, *run.constrained) : json(nullptr)},
+      {"duplicates", t.duplicates.size()},
+      {"outcome", to_string(t.outcome)},
+      {"reason", t.reason},
+      {"dimension", t.dimension},
+      {"triangles", t.triangles.size()},
+      {"edges", t.edges},
+      {"hull", t.hull},
+      {"tau", c.tau},
+      {"tau_with_ghosts", c.tau_with_ghosts},
+      {"created", c.created},
+      {"flips", c.flips},
+      {"on_edge", c.on_edge},
+      {"outside_hull", c.outside_hull},
+      {"conflict_tests", c.conflict_tests},
+      {"location_steps", c.location_steps},
+      {"history", history},
+      {"predicates", predicates_json(run.counts)},
+      {"digest", to_hex(digest(t.triangles))},
+      {"seconds", run.seconds},
+      {"peak_bytes", run.peak_bytes}};
 }
 
 void print_summary(Console console, const json& stats) {
@@ -154,38 +217,51 @@ void report_duplicates(const PointFile& file, const Triangulation& t, const Tria
                 << file.lines[first] << ", merged\n";
 }
 
+/// Mesh and picture. Beside an .ele with its .node goes a .poly with the segments.
+void write_outputs(const TriangulateOptions& options, const Input& input, const Run& run) {
+  const auto& points = input.points().points;
+  const bool with_segments = input.with_segments.has_value();
+  if (!options.mesh.empty()) write_mesh(options.mesh, points, run.result.triangles);
+  if (!options.mesh.empty() && with_segments && mesh_files(options.mesh).size() > 1)
+    write_poly(poly_beside(options.mesh), input.with_segments->file.segments,
+               input.with_segments->file.holes);
+  if (!options.picture.empty())
+    write_picture(options.picture, points, run.result.triangles,
+                  with_segments ? run.constrained->constraints : std::vector<Edge>{});
+}
+
 }  // namespace
 
 int triangulate(const TriangulateOptions& options, Console& console) {
-  const PlanarAlgorithm& algorithm = algorithm_named(options.algorithm);
-  const BackendEntry& backend = backend_named(options.backend);
-  const Order order = order_named(options.order);
+  const Method method = method_of(options);
   check_outputs(options, console);
-  const PointFile file = points_of(options);
+  const Input input = input_of(options, method);
 
   Run run;
-  const Kernel2Binding bound = backend.bind2(file.points);
+  const Kernel2Binding bound = method.backend.bind2(input.points().points);
   if (const auto* refusal = std::get_if<Refusal>(&bound)) {
     run.result.outcome = Outcome::out_of_domain;
-    run.result.reason = describe(*refusal, file, options);
+    run.result.reason = describe(*refusal, input.points(), options);
   } else {
     const bool counted = console.json || !options.stats.empty();
-    run = run_algorithm(file, *std::get<0>(bound), algorithm, backend, order, options, counted);
+    run = run_method(method, input, *std::get<0>(bound), options.seed, counted);
   }
-  const Triangulation& result = run.result;
-  const json stats = stats_json(options, file.points.size(), run);
+  Triangulation& result = run.result;
+  if (run.constrained && result.outcome == Outcome::refused_input) {
+    run.constrained->mesh.reason = result.reason;
+    result.reason = cli::describe(*input.with_segments, *run.constrained);
+  }
+  const json stats = stats_json(options, method.settings, input, run);
 
-  report_duplicates(file, result, options, console);
+  report_duplicates(input.points(), result, options, console);
   if (!options.stats.empty()) write_text(options.stats, stats.dump(2) + "\n");
   if (console.json) print_json(console, stats);
   if (result.outcome == Outcome::out_of_domain || result.outcome == Outcome::refused_input)
     throw BadInput(result.reason);
-  if (result.outcome != Outcome::ok)
+  if (result.outcome == Outcome::ok)
+    write_outputs(options, input, run);
+  else
     console.log << to_string(result.outcome) << ": " << result.reason << '\n';
-  if (result.outcome == Outcome::ok && !options.mesh.empty())
-    write_mesh(options.mesh, file.points, result.triangles);
-  if (result.outcome == Outcome::ok && !options.picture.empty())
-    write_picture(options.picture, file.points, result.triangles);
   const bool piped = options.mesh == "-" || options.stats == "-";
   if (!console.json) print_summary({.out = piped ? console.log : console.out, .log = console.log}, stats);
   return result.outcome == Outcome::ok ? good : judged_bad;

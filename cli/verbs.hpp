@@ -35,6 +35,7 @@ int sign(const SignOptions& options, Console& console);
 struct TriangulateOptions {
   std::string points;
   std::string algorithm = "green-sibson";
+  std::vector<std::string> settings;  ///< of the algorithm's parameters, as "name=value"
   std::string backend = "filtered";
   std::string order = "random";
   std::uint64_t seed = 1;
@@ -48,18 +49,34 @@ int triangulate(const TriangulateOptions& options, Console& console);
 struct VerifyOptions {
   std::string points, mesh;
   std::string kind = "delaunay";
+  std::string domain = "auto";  ///< with kind constrained: hull, carved, even-odd or auto
 };
 int verify(const VerifyOptions& options, Console& console);
 
+struct OptimizeOptions {
+  std::string points, mesh;
+  std::string criterion = "delaunay";  ///< see cli/optimize.cpp
+  std::string backend = "filtered";
+  std::vector<std::string> settings;  ///< NAME=VALUE, of flips
+  std::string output;                 ///< mesh file; empty: none
+  std::string stats;                  ///< statistics as JSON; empty: none
+  std::string picture;                ///< .svg; empty: none
+};
+int optimize(const OptimizeOptions& options, Console& console);
+
 struct BenchOptions {
-  std::string what;                                         ///< predicates
-  std::vector<std::string> backends, predicates, families;  ///< empty: all
-  std::uint64_t queries = 100'352;
+  std::string what;                               ///< predicates or algorithms
+  std::vector<std::string> backends;              ///< empty: all predicates', filtered for algorithms
+  std::vector<std::string> predicates, families;  ///< empty: all
+  std::vector<std::string> algorithms, settings, orders, datasets;  ///< all empty: what the goals name
+  std::uint64_t queries = 100'352;                                  ///< of predicates
+  std::uint64_t n = 0;                                              ///< of algorithms; 0: as the goals say
   std::uint64_t seed = 1;
-  int repetitions = 21;
+  std::optional<int> repetitions;  ///< none: 21 for predicates, 7 for algorithms
   bool peers = false;
 };
 int bench(const BenchOptions& options, Console& console);
+int bench_algorithms(const BenchOptions& options, Console& console);
 
 struct TryOptions {
   std::string plugin, command;         ///< one of them

@@ -1,8 +1,9 @@
 // tribunal verify: an exact check of anybody's mesh.
 #include "algorithms/verify/verify.hpp"
 
+#include "cli/graph_input.hpp"
+#include "cli/mesh_input.hpp"
 #include "cli/verbs.hpp"
-#include "datasets/files/files.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -11,34 +12,42 @@
 namespace tribunal::cli {
 
 namespace {
+using tribunal::verify::Kind;
 
-/// A mesh file that carries coordinates must carry those of the points: a tool that drops, moves or reorders
-/// vertices has triangulated something else.
-void compare_vertices(const VerifyOptions& options, const PointFile& points, const MeshFile& mesh) {
-  if (mesh.points.empty()) return;
-  if (mesh.points.size() != points.points.size())
-    throw BadInput(options.mesh + ": holds " + std::to_string(mesh.points.size()) + " vertices, but " +
-                   options.points + " holds " + std::to_string(points.points.size()) + " points");
-  for (std::size_t i = 0; i < mesh.points.size(); ++i)
-    if (mesh.points[i] != points.points[i])
-      throw BadInput(options.mesh + ": vertex " + std::to_string(i) + " is not where " + options.points +
-                     ":" + std::to_string(points.lines[i]) + " has it");
+PslgFile graph_of(const VerifyOptions& options) {
+  auto file = read_pslg(options.points);
+  if (!file)
+    throw BadUsage(options.points + " holds no segments: --kind constrained wants .poly, .geojson or .wkt");
+  return std::move(*file);
+}
+
+tribunal::verify::Verdict check_constrained(const VerifyOptions& options, const PslgFile& file,
+                                            const MeshFile& mesh, std::size_t max_faults) {
+  const Domain domain = domain_named(options.domain, options.points, file);
+  return tribunal::verify::verify_constrained(
+      file.sites.points, {mesh.triangles},
+      {file.segments, file.holes, static_cast<tribunal::verify::Domain>(domain)}, {.max_faults = max_faults});
 }
 
 }  // namespace
 
 int verify(const VerifyOptions& options, Console& console) {
-  tribunal::verify::Options checks;
-  if (options.kind == "delaunay")
-    checks.kind = tribunal::verify::Kind::delaunay;
-  else if (options.kind == "triangulation")
-    checks.kind = tribunal::verify::Kind::triangulation;
+  constexpr std::size_t max_faults = 100;
+  const bool constrained = options.kind == "constrained";
+  if (!constrained && options.kind != "delaunay" && options.kind != "triangulation")
+    throw BadUsage("--kind " + options.kind + ": delaunay, triangulation or constrained");
+  PslgFile file;
+  if (constrained)
+    file = graph_of(options);
   else
-    throw BadUsage("--kind " + options.kind + ": delaunay or triangulation");
-  const PointFile points = read_points(options.points);
-  const MeshFile mesh = read_mesh(options.mesh, points.points.size());
-  compare_vertices(options, points, mesh);
-  const auto verdict = tribunal::verify::verify_planar(points.points, {mesh.triangles}, checks);
+    file.sites = read_points(options.points);
+  const PointFile& points = file.sites;
+  const MeshFile mesh = read_mesh_over(options.points, points, options.mesh);
+  const auto verdict =
+      constrained ? check_constrained(options, file, mesh, max_faults)
+                  : tribunal::verify::verify_planar(
+                        points.points, {mesh.triangles},
+                        {options.kind == "delaunay" ? Kind::delaunay : Kind::triangulation, max_faults});
 
   if (console.json) {
     nlohmann::json faults = nlohmann::json::array();
@@ -59,8 +68,8 @@ int verify(const VerifyOptions& options, Console& console) {
     console.out << "valid: " << mesh.triangles.size() << " triangles over " << verdict.sites << " sites, "
                 << verdict.hull << " on the hull\n";
   } else {
-    console.out << "invalid: " << verdict.faults.size()
-                << (verdict.faults.size() == checks.max_faults ? "+" : "") << " faults\n";
+    console.out << "invalid: " << verdict.faults.size() << (verdict.faults.size() == max_faults ? "+" : "")
+                << " faults\n";
     for (const auto& fault : verdict.faults)
       console.out << tribunal::verify::to_string(fault.kind) << ": " << fault.detail << '\n';
   }

@@ -5,49 +5,58 @@
 #include "predicates/kernel.hpp"
 #include "predicates/predicate.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <numeric>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace tribunal {
 
-/// Calls by predicate and deciding stage.
+/// Calls by predicate and deciding stage, comparisons behind the predicates.
 struct PredicateCounts {
   using ByStage = std::array<std::uint64_t, stage_names.size()>;
-  std::array<ByStage, predicate_names.size()> calls{};
 
-  std::uint64_t& at(Predicate p, Stage s) {
-    return calls[static_cast<std::size_t>(p)][static_cast<std::size_t>(s)];
+  /// One row of calls each.
+  static constexpr auto names = [] {
+    std::array<std::string_view, predicate_names.size() + comparison_names.size()> all;
+    std::ranges::copy(comparison_names, std::ranges::copy(predicate_names, all.begin()).out);
+    return all;
+  }();
+  std::array<ByStage, names.size()> calls{};
+
+  static constexpr std::size_t row(Predicate p) { return static_cast<std::size_t>(p); }
+  static constexpr std::size_t row(Comparison c) {
+    return predicate_names.size() + static_cast<std::size_t>(c);
   }
-  std::uint64_t at(Predicate p, Stage s) const {
-    return calls[static_cast<std::size_t>(p)][static_cast<std::size_t>(s)];
-  }
-  std::uint64_t total(Predicate p) const {
-    const ByStage& stages = calls[static_cast<std::size_t>(p)];
-    return std::accumulate(stages.begin(), stages.end(), std::uint64_t{0});
+  std::uint64_t& at(auto question, Stage s) { return calls[row(question)][static_cast<std::size_t>(s)]; }
+  std::uint64_t at(auto question, Stage s) const { return calls[row(question)][static_cast<std::size_t>(s)]; }
+  std::uint64_t total(auto question) const { return total_of_row(row(question)); }
+  std::uint64_t total_of_row(std::size_t row) const {
+    return std::accumulate(calls[row].begin(), calls[row].end(), std::uint64_t{0});
   }
   std::uint64_t total() const {
     std::uint64_t sum = 0;
-    for (std::size_t p = 0; p < predicate_names.size(); ++p) sum += total(static_cast<Predicate>(p));
+    for (std::size_t row = 0; row < names.size(); ++row) sum += total_of_row(row);
     return sum;
   }
 
-  /// Every predicate that was called, as ("incircle", calls), followed by its stages that decided anything,
-  /// as
+  /// Everything that was called, as ("incircle", calls), followed by its stages that decided anything, as
   /// ("incircle.filter", calls). In order of predicate and stage.
   std::vector<std::pair<std::string, std::uint64_t>> named() const {
-    std::vector<std::pair<std::string, std::uint64_t>> names;
-    for (std::size_t p = 0; p < predicate_names.size(); ++p) {
-      if (total(static_cast<Predicate>(p)) == 0) continue;
-      const std::string predicate(predicate_names[p]);
-      names.emplace_back(predicate, total(static_cast<Predicate>(p)));
+    std::vector<std::pair<std::string, std::uint64_t>> result;
+    for (std::size_t row = 0; row < names.size(); ++row) {
+      if (total_of_row(row) == 0) continue;
+      const std::string question(names[row]);
+      result.emplace_back(question, total_of_row(row));
       for (std::size_t s = 0; s < stage_names.size(); ++s)
-        if (calls[p][s] != 0) names.emplace_back(predicate + "." + std::string(stage_names[s]), calls[p][s]);
+        if (calls[row][s] != 0)
+          result.emplace_back(question + "." + std::string(stage_names[s]), calls[row][s]);
     }
-    return names;
+    return result;
   }
 
   friend bool operator==(const PredicateCounts&, const PredicateCounts&) = default;
@@ -64,11 +73,17 @@ class CountedKernel2 final : public Kernel2 {
   Decision decide_incircle(Point2 a, Point2 b, Point2 c, Point2 d) const override {
     return counted(Predicate::incircle, kernel_.decide_incircle(a, b, c, d));
   }
+  Decision decide_compare_length(Point2 a, Point2 b, Point2 c, Point2 d) const override {
+    return counted(Comparison::length, kernel_.decide_compare_length(a, b, c, d));
+  }
+  Decision decide_compare_angle(const Angle<2>& p, const Angle<2>& q) const override {
+    return counted(Comparison::angle, kernel_.decide_compare_angle(p, q));
+  }
   bool admits(Point2 p) const override { return kernel_.admits(p); }
 
  private:
-  Decision counted(Predicate predicate, Decision decision) const {
-    ++counts_.at(predicate, decision.stage);
+  Decision counted(auto question, Decision decision) const {
+    ++counts_.at(question, decision.stage);
     return decision;
   }
   const Kernel2& kernel_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "predicates/decision.hpp"
+#include "predicates/formulas/compare_angle.hpp"
 #include "predicates/point.hpp"
 #include "predicates/sign.hpp"
 
@@ -26,8 +27,18 @@ class Kernel2 {
   /// Positive when d is strictly inside the circle of the counter-clockwise triple a, b, c; zero on it.
   Sign incircle(Point2 a, Point2 b, Point2 c, Point2 d) const { return decide_incircle(a, b, c, d).sign; }
 
+  /// Positive when the segment ab is longer than cd, zero when they are equally long.
+  Sign compare_length(Point2 a, Point2 b, Point2 c, Point2 d) const {
+    return decide_compare_length(a, b, c, d).sign;
+  }
+
+  /// Positive when the angle p is larger than q. Both lie in [0, pi]; no leg has length zero.
+  Sign compare_angle(const Angle<2>& p, const Angle<2>& q) const { return decide_compare_angle(p, q).sign; }
+
   virtual Decision decide_orient2d(Point2 a, Point2 b, Point2 c) const = 0;
   virtual Decision decide_incircle(Point2 a, Point2 b, Point2 c, Point2 d) const = 0;
+  virtual Decision decide_compare_length(Point2 a, Point2 b, Point2 c, Point2 d) const = 0;
+  virtual Decision decide_compare_angle(const Angle<2>& p, const Angle<2>& q) const = 0;
 
   /// Whether a constructed point (one not bound) may be asked about.
   virtual bool admits(Point2 p) const = 0;

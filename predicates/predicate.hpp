@@ -26,4 +26,9 @@ constexpr int points_of(Predicate p) {
   return dimension_of(p) + (p == Predicate::orient2d || p == Predicate::orient3d ? 1 : 2);
 }
 
+/// What a planar kernel answers besides: questions about sizes, not positions. No plug-in offers them.
+enum class Comparison : std::uint8_t { length, angle };
+
+inline constexpr std::array<std::string_view, 2> comparison_names{"compare_length", "compare_angle"};
+
 }  // namespace tribunal

@@ -60,6 +60,8 @@ class PlanarMesh {
     corners_[3 * t + 1] = b;
     corners_[3 * t + 2] = c;
   }
+  /// Names another vertex opposite half-edge h.
+  void set_corner(HalfEdge h, Index vertex) { corners_[h] = vertex; }
   void glue(HalfEdge g, HalfEdge h) {
     twins_[g] = h;
     twins_[h] = g;

@@ -1,60 +1,111 @@
-// Green and Sibson's insertion (1977) with the history DAG of Guibas, Knuth and Sharir (1992), Barth
-// section 3.3c: split the triangle that holds the site, then flip until all circles are empty. Expected O(n
-// log n) in random order.
+// Green and Sibson's insertion (1977), Barth section 3.3c: find the triangle that holds the site, split it,
+// then flip until all circles are empty. Through the history DAG of Guibas, Knuth and Sharir (1992) in
+// expected O(n log n) for a random order; by walking from the last site in O(n) or so where the order follows
+// a space-filling curve; by jumping and walking in expected O(n^{4/3}) for uniform sites in random order.
 #include "algorithms/abandon.hpp"
 #include "algorithms/location/history_dag.hpp"
+#include "algorithms/location/jump.hpp"
+#include "algorithms/location/walk.hpp"
 #include "algorithms/mesh/planar_mesh.hpp"
+#include "algorithms/mesh/splits.hpp"
 #include "algorithms/planar/collect.hpp"
 #include "algorithms/planar/conflict.hpp"
 #include "algorithms/planar/first_triangle.hpp"
 #include "algorithms/planar/listed.hpp"
+#include "algorithms/planar/renumbered.hpp"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <vector>
 
 namespace tribunal {
 namespace {
 
+/// The ways to find the triangle that holds a site. Each is told of every change to the mesh.
+enum class Location : std::uint8_t { history, walk, jump_and_walk };
+
+constexpr Parameter location_parameter{
+    .name = "location",
+    .summary = "how the triangle that holds a site is found",
+    .standard = "history",
+    .choices = [] {
+      return std::vector<std::string_view>{"history", "walk", "jump-and-walk"};
+    }};
+constexpr std::array parameters{location_parameter};
+
+/// Walks from the triangle that held the last site, whose slot is one of that site's star; or from a nearer
+/// one, by a jump. Changes to the mesh need no record.
+template <bool jumps>
+class WalkFromLast {
+ public:
+  WalkFromLast(const PlanarProblem& problem, const PlanarMesh& mesh)
+      : problem_(problem), mesh_(mesh), jump_(problem, mesh) {}
+
+  Index locate(Index site) {
+    if constexpr (jumps) last_ = jump_.from(last_, site);
+    last_ = walk(problem_, mesh_, last_, site, steps_);
+    return last_;
+  }
+  void foresee(std::span<const Index>) {}
+  void split_triangle(Index, const Triangle&) {}
+  void split_edge(Index, const std::array<Index, 4>&) {}
+  void flip(Index, Index, Index, Index) {}
+
+  std::uint64_t steps() const { return steps_; }
+  std::optional<History> shape() const { return std::nullopt; }
+
+ private:
+  const PlanarProblem& problem_;
+  const PlanarMesh& mesh_;
+  Jump jump_;
+  Index last_ = 0;
+  std::uint64_t steps_ = 0;
+};
+
+template <class Locator>
 class GreenSibson {
  public:
   explicit GreenSibson(const PlanarProblem& problem)
-      : problem_(problem), root_(make_root()), history_(problem, mesh_, root_) {
-    depths_.reserve(problem.sites.size());
-  }
+      : problem_(problem),
+        mesh_(first_mesh(problem)),
+        locator_(problem, mesh_),
+        counters_(first_counters()) {}
 
-  void insert(Index site) {
-    const HistoryDag::Place place = history_.locate(site);
-    depths_.push_back(place.depth);
-    counters_.location_steps += place.depth;
-    star_size_ = 0;
-    on_hull_ = mesh_.is_ghost(place.triangle);
-    const HalfEdge edge = on_hull_ ? PlanarMesh::none : edge_through(place.triangle, site);
-    if (edge == PlanarMesh::none)
-      split_triangle(place.triangle, site);
-    else
-      split_edge(edge, site);
-    legalise(site);
-    counters_.tau_with_ghosts += star_size_;
-    counters_.tau += star_size_ - (on_hull_ ? 2 : 0);
-    counters_.outside_hull += on_hull_;
+  void insert(std::span<const Index> sites) {
+    locator_.foresee(sites);
+    for (const Index site : sites) insert_one(site);
   }
 
   Triangulation result() const {
     Triangulation result;
-    for (Index t = 0; t < mesh_.triangles(); ++t)
-      if (history_.alive(t)) collect(mesh_.triangle(t), result);
+    result.triangles.reserve(mesh_.triangles());
+    for (Index t = 0; t < mesh_.triangles(); ++t) collect(mesh_.triangle(t), result);
     result.counters = counters_;
-    result.counters.created = mesh_.triangles();
-    result.history = summary();
+    result.counters.location_steps = locator_.steps();
+    result.history = locator_.shape();
     return result;
   }
 
  private:
-  Index make_root() {
-    mesh_.reserve(9 * problem_.sites.size());
-    const Triangle t = first_triangle(problem_);
-    counters_ = first_counters();
-    return add_first_triangle(mesh_, t[0], t[1], t[2]);
+  static PlanarMesh first_mesh(const PlanarProblem& problem) {
+    PlanarMesh mesh;
+    mesh.reserve(2 * problem.sites.size());
+    const Triangle t = first_triangle(problem);
+    add_first_triangle(mesh, t[0], t[1], t[2]);
+    return mesh;
+  }
+
+  void insert_one(Index site) {
+    const Index t = locator_.locate(site);
+    on_hull_ = mesh_.is_ghost(t);
+    const HalfEdge edge = on_hull_ ? PlanarMesh::none : edge_through(t, site);
+    star_size_ = edge == PlanarMesh::none ? split(t, site) : split_at(edge, site);
+    counters_.created += star_size_;
+    legalise(site);
+    counters_.tau_with_ghosts += star_size_;
+    counters_.tau += star_size_ - (on_hull_ ? 2 : 0);
+    counters_.outside_hull += on_hull_;
   }
 
   /// The edge of the finite triangle t on which the site lies, or `none` when it lies inside.
@@ -71,41 +122,24 @@ class GreenSibson {
     return edge;
   }
 
-  /// One triangle, or one ghost, becomes the three of the star of `site`.
-  void split_triangle(Index t, Index site) {
-    const Triangle corner = mesh_.triangle(t);
-    Triangle child{};
-    for (Index i = 0; i < 3; ++i) {
-      child[i] = add_to_star(site, corner[(i + 1) % 3], corner[(i + 2) % 3]);
-      mesh_.glue(3 * child[i], mesh_.twin(3 * t + i));
-    }
-    for (Index i = 0; i < 3; ++i) mesh_.glue(3 * child[i] + 1, 3 * child[(i + 1) % 3] + 2);
-    history_.split(t, child);
+  /// The size of the star that replaces a triangle or ghost.
+  Index split(Index t, Index site) {
+    const Index more = mesh_.triangles();
+    split_triangle(mesh_, t, site);
+    locator_.split_triangle(site, {t, more, more + 1});
+    suspects_.assign({3 * t, 3 * more, 3 * more + 3});
+    return 3;
   }
 
-  /// The two triangles of an edge become the four of the star of a site on it.
-  void split_edge(HalfEdge edge, Index site) {
+  /// The same where the site lies on an edge.
+  Index split_at(HalfEdge edge, Index site) {
     ++counters_.on_edge;
-    const HalfEdge twin = mesh_.twin(edge);
-    on_hull_ = mesh_.is_ghost(triangle_of(twin));
-    const auto [left, right] = cut_triangle(edge, site);
-    const auto [far_left, far_right] = cut_triangle(twin, site);
-    mesh_.glue(3 * left + 1, 3 * far_right + 2);
-    mesh_.glue(3 * far_left + 1, 3 * right + 2);
-  }
-
-  struct Halves {
-    Index left, right;  // (site, p, a) and (site, b, p) for the triangle (p, a, b)
-  };
-  Halves cut_triangle(HalfEdge edge, Index site) {
-    const Index p = mesh_.corner(edge);
-    const HalfEdge beyond_a = mesh_.twin(next(edge)), beyond_b = mesh_.twin(prev(edge));
-    const Index left = add_to_star(site, p, mesh_.from(edge)), right = add_to_star(site, mesh_.to(edge), p);
-    mesh_.glue(3 * left, beyond_b);
-    mesh_.glue(3 * right, beyond_a);
-    mesh_.glue(3 * left + 2, 3 * right + 1);
-    history_.cut(triangle_of(edge), left, right);
-    return {left, right};
+    const Index t = triangle_of(edge), u = triangle_of(mesh_.twin(edge)), more = mesh_.triangles();
+    on_hull_ = mesh_.is_ghost(u);
+    split_edge(mesh_, edge, site);
+    locator_.split_edge(site, {t, more, u, more + 1});
+    suspects_.assign({3 * t, 3 * more + 3, 3 * u, 3 * more});
+    return 4;
   }
 
   /// Flips edges opposite the site until none is in conflict. Each flip adds one triangle to the star, and no
@@ -113,73 +147,68 @@ class GreenSibson {
   void legalise(Index site) {
     Budget budget(problem_.sites.size() + 1, "flipping");
     while (!suspects_.empty()) {
-      const Index t = suspects_.back();
+      const HalfEdge edge = suspects_.back();
       suspects_.pop_back();
       ++counters_.conflict_tests;
-      const HalfEdge across = mesh_.twin(3 * t);
+      const HalfEdge across = mesh_.twin(edge);
       if (!in_conflict(problem_, mesh_.triangle(triangle_of(across)), site)) continue;
       budget.spend();
-      flip(t, across, site);
+      flip(edge, across, site);
     }
   }
 
   /// (site, a, b) and (p, b, a) become (site, a, p) and (site, p, b).
-  void flip(Index t, HalfEdge across, Index site) {
-    const Index a = mesh_.corner(3 * t + 1), b = mesh_.corner(3 * t + 2), p = mesh_.corner(across);
+  void flip(HalfEdge edge, HalfEdge across, Index site) {
+    const Index p = mesh_.corner(across);
     if (p == infinite || p == site)
       throw Abandon(Outcome::inconsistent_predicate, "a flip would join a site to infinity or to itself");
-    const HalfEdge beyond_sa = mesh_.twin(3 * t + 2), beyond_bs = mesh_.twin(3 * t + 1);
-    const HalfEdge beyond_ap = mesh_.twin(next(across)), beyond_pb = mesh_.twin(prev(across));
-    const Index right = add_to_star(site, a, p), left = add_to_star(site, p, b);
-    star_size_ -= 1;  // two joined, t left
-    ++counters_.flips;
-    mesh_.glue(3 * right, beyond_ap);
-    mesh_.glue(3 * right + 2, beyond_sa);
-    mesh_.glue(3 * left, beyond_pb);
-    mesh_.glue(3 * left + 1, beyond_bs);
-    mesh_.glue(3 * right + 1, 3 * left + 2);
-    history_.cut(t, left, right);
-    history_.cut(triangle_of(across), left, right);
-  }
-
-  Index add_to_star(Index site, Index a, Index b) {
-    const Index t = mesh_.add(site, a, b);
-    suspects_.push_back(t);
+    flip_edge(mesh_, edge);
+    locator_.flip(site, p, triangle_of(across), triangle_of(edge));
+    suspects_.push_back(edge);
+    suspects_.push_back(prev(across));
     ++star_size_;
-    return t;
-  }
-
-  History summary() const {
-    History history;
-    history.nodes = mesh_.triangles();
-    if (depths_.empty()) return history;
-    const std::size_t late = depths_.size() - std::max<std::size_t>(1, depths_.size() / 10);
-    double all_sum = 0, late_sum = 0;
-    for (std::size_t i = 0; i < depths_.size(); ++i) {
-      history.depth_max = std::max(history.depth_max, depths_[i]);
-      all_sum += static_cast<double>(depths_[i]);
-      if (i >= late) late_sum += static_cast<double>(depths_[i]);
-    }
-    history.depth_mean = all_sum / static_cast<double>(depths_.size());
-    history.depth_late_mean = late_sum / static_cast<double>(depths_.size() - late);
-    return history;
+    ++counters_.flips;
+    counters_.created += 2;
   }
 
   const PlanarProblem& problem_;
   PlanarMesh mesh_;
+  Locator locator_;
   Counters counters_;
-  Index root_;
-  HistoryDag history_;
-  std::vector<Index> suspects_;  // triangles of the star whose outer edge is to be tested
-  std::vector<std::uint64_t> depths_;
+  std::vector<HalfEdge> suspects_;  // edges opposite the site that are to be tested
   std::uint64_t star_size_ = 0;
   bool on_hull_ = false;
 };
 
-Triangulation green_sibson(const PlanarProblem& problem) {
-  GreenSibson algorithm(problem);
-  for (const Index site : problem.sites.subspan(3)) algorithm.insert(site);
+template <class Locator>
+Triangulation insert_all(const PlanarProblem& problem) {
+  GreenSibson<Locator> algorithm(problem);
+  constexpr std::size_t most_at_once = 16;
+  for (auto left = problem.sites.subspan(3); !left.empty();) {
+    const auto some = left.first(std::min(left.size(), most_at_once));
+    algorithm.insert(some);
+    left = left.subspan(some.size());
+  }
   return algorithm.result();
+}
+
+Triangulation insert_all(const PlanarProblem& problem, Location location) {
+  switch (location) {
+    case Location::walk:
+      return insert_all<WalkFromLast<false>>(problem);
+    case Location::jump_and_walk:
+      return insert_all<WalkFromLast<true>>(problem);
+    default:
+      return insert_all<HistoryDag>(problem);
+  }
+}
+
+Triangulation green_sibson(const PlanarProblem& problem) {
+  const Renumbered renumbered(problem);
+  Triangulation result =
+      insert_all(renumbered.problem(), choice_as<Location>(problem.settings, location_parameter));
+  renumbered.restore(result);
+  return result;
 }
 
 }  // namespace
@@ -188,7 +217,8 @@ constinit const PlanarAlgorithm green_sibson_algorithm{
     .about = {.name = "green-sibson",
               .dimension = 2,
               .cites = "Green, Sibson 1977; Guibas, Knuth, Sharir 1992",
-              .summary = "incremental Delaunay: split, flip suspects, locate through the history DAG"},
+              .summary = "incremental Delaunay: locate, split, flip suspects"},
+    .parameters = parameters,
     .run = green_sibson,
 };
 

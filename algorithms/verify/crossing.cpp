@@ -143,8 +143,8 @@ class Sweep {
 
 /// Runs the sweep to its first find.
 std::optional<Overlap> first_overlap(std::span<const Point2> points, const Sites& sites,
-                                     std::span<const SoundTriangle> triangles,
-                                     std::span<const EdgeUse> uses) {
+                                     std::span<const SoundTriangle> triangles, std::span<const EdgeUse> uses,
+                                     bool lone_sites) {
   std::vector<Segment> by_left = distinct_segments(points, uses), by_right = by_left;
   std::vector<std::uint32_t> rank(points.size());
   for (std::uint32_t i = 0; i < sites.sorted.size(); ++i) rank[sites.sorted[i]] = i;
@@ -161,7 +161,8 @@ std::optional<Overlap> first_overlap(std::span<const Point2> points, const Sites
     const std::size_t first_end = ended, first_start = started;
     while (ended < by_right.size() && by_right[ended].right == vertex) ++ended;
     while (started < by_left.size() && by_left[started].left == vertex) ++started;
-    if (ended == first_end && started == first_start) continue;  // in no triangle
+    const bool lone = ended == first_end && started == first_start;
+    if (lone && !lone_sites) continue;
     const auto ending = std::span(by_right).subspan(first_end, ended - first_end);
     const auto starting = std::span(by_left).subspan(first_start, started - first_start);
     if (auto found = sweep.pass(vertex, ending, {starting.begin(), starting.end()})) return found;
@@ -177,9 +178,9 @@ void sort_unique(std::vector<std::uint32_t>& items) {
 }  // namespace
 
 void find_crossing(std::span<const Point2> points, const Sites& sites,
-                   std::span<const SoundTriangle> triangles, std::span<const EdgeUse> uses,
-                   FaultList& faults) {
-  const auto overlap = first_overlap(points, sites, triangles, uses);
+                   std::span<const SoundTriangle> triangles, std::span<const EdgeUse> uses, FaultList& faults,
+                   bool lone_sites) {
+  const auto overlap = first_overlap(points, sites, triangles, uses, lone_sites);
   if (!overlap) return;
   std::vector<std::uint32_t> concerned, named;
   for (const Segment& s : overlap->edges) {
@@ -197,7 +198,7 @@ void find_crossing(std::span<const Point2> points, const Sites& sites,
       return std::find(t.corners.begin(), t.corners.end(), overlap->vertex) != t.corners.end() &&
              t.orientation != Sign::zero;
     });
-    concerned.push_back(at_vertex->index);
+    if (at_vertex != triangles.end()) concerned.push_back(at_vertex->index);
     named.insert(named.begin(), overlap->vertex);
   }
   sort_unique(concerned);

@@ -8,10 +8,10 @@ namespace tribunal::verify {
 namespace {
 
 constexpr std::array<std::string_view, fault_kinds> names{
-    "index_out_of_range", "repeated_corner",     "duplicate_used",    "wrong_orientation",
-    "flat_triangle",      "doubled_triangle",    "non_manifold_edge", "folded_edge",
-    "crossing_edges",     "non_manifold_vertex", "missing_site",      "hull_mismatch",
-    "not_connected",      "wrong_count",         "wrong_neighbour",   "non_delaunay"};
+    "index_out_of_range", "repeated_corner",   "duplicate_used", "wrong_orientation", "flat_triangle",
+    "doubled_triangle",   "non_manifold_edge", "folded_edge",    "crossing_edges",    "non_manifold_vertex",
+    "missing_site",       "hull_mismatch",     "not_connected",  "wrong_count",       "wrong_neighbour",
+    "non_delaunay",       "missing_segment",   "wrong_domain"};
 
 /// "triangles 4, 9"; long lists are cut short, the fault itself has them whole.
 std::string enumerate(std::string_view noun, const std::vector<std::uint32_t>& items) {

@@ -38,8 +38,12 @@ enum class FaultKind : std::uint8_t {
   wrong_neighbour,  ///< a given neighbour is not across the edge: the triangle, the neighbour if there is
                     ///< such a triangle | the edge
   non_delaunay,     ///< a vertex lies strictly inside the circle across an edge: both | the edge, both apexes
+  missing_segment,  ///< a segment is no union of edges: none | its ends and where it breaks off
+  wrong_domain,     ///< the mesh does not end where the domain does: the triangles there | the edge, or
+                    ///< the corners of the region; or a hole is covered: none | the edge above it
 };
-inline constexpr std::size_t fault_kinds = 16;
+inline constexpr std::size_t fault_kinds = 18;
+inline constexpr std::size_t fault_kinds_of_point_meshes = 16;  ///< the last two need segments
 
 /// The enumerator's name.
 std::string_view to_string(FaultKind kind);
@@ -74,6 +78,28 @@ struct Options {
   Kind kind = Kind::delaunay;
   std::size_t max_faults = 100;  ///< 0 counts as 1; where there are more faults, every kind keeps its share
 };
+
+/// Which part of the plane a mesh with segments covers.
+enum class Domain : std::uint8_t {
+  hull,      ///< the convex hull of the points
+  carved,    ///< what neither infinity nor a hole point reaches without crossing a segment
+  even_odd,  ///< what is separated from infinity by an odd number of segments, overlapping ones counted each
+};
+
+struct Segments {
+  std::span<const std::array<std::uint32_t, 2>> segments;  ///< by index into the points
+  std::span<const Point2> holes = {};                      ///< for Domain::carved
+  Domain domain = Domain::hull;
+};
+
+/// Checks that a mesh is the constrained Delaunay triangulation of points and segments: every segment is a
+/// union of edges (but for what lies outside the domain), edges on no segment are locally Delaunay, and the
+/// triangles cover the domain once and nothing else. Exact, like verify_planar, whose faults and exceptions
+/// are these; throws std::invalid_argument also for a segment that names no point and a hole that is not
+/// finite. O(n log n), but for a look at everything for each hole, each region left out and each stretch of a
+/// segment outside the mesh.
+Verdict verify_constrained(std::span<const Point2> points, const Mesh& mesh, const Segments& segments,
+                           const Options& options = {});
 
 /// Checks a mesh over all of `points`. Exact: every sign by integers of unbounded size behind its own
 /// certified floating-point filter. O(n log n). Locally Delaunay everywhere, on a valid triangulation of the

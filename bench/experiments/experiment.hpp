@@ -2,6 +2,7 @@
 #pragma once
 
 #include "algorithms/outcome.hpp"
+#include "algorithms/parameter.hpp"
 #include "bench/row.hpp"
 
 #include <cstdint>
@@ -12,16 +13,6 @@
 #include <vector>
 
 namespace tribunal::bench {
-
-/// A parameter of an experiment: a whole number, or one of a list of names. Cells carry it as text; where a
-/// plan leaves it out, the default is filled in.
-struct Parameter {
-  std::string_view name;
-  std::string_view summary;                              ///< one line
-  std::string_view standard;                             ///< the default
-  std::uint64_t least = 0, most = 0;                     ///< of a whole number
-  std::vector<std::string_view> (*choices)() = nullptr;  ///< null: a whole number
-};
 
 /// Which fields of a cell an experiment reads. A plan must give these and may give no others.
 struct Reads {
@@ -48,7 +39,7 @@ struct Experiment {
   std::string_view summary;  ///< one line
   Reads reads;
   std::span<const Parameter> parameters;
-  Finding (*run)(const Cell& cell);  ///< deterministic but for seconds
+  Finding (*run)(const Cell& cell);  ///< of accepted parameters; deterministic but for seconds
 };
 
 /// All experiments. No name is that of an algorithm.
@@ -56,14 +47,5 @@ std::span<const Experiment> experiments();
 
 /// The experiment of that name, or null.
 const Experiment* find_experiment(std::string_view name);
-
-/// Why `value` is no value of the parameter; empty when it is one.
-std::string refuse(const Parameter& parameter, std::string_view value);
-
-/// The cell's value of a parameter that is a whole number. Throws BadInput when it is none in range.
-std::uint64_t whole_number(const Cell& cell, const Parameter& parameter);
-
-/// The cell's value of a parameter with choices. Throws BadInput when it is none of them.
-std::string choice(const Cell& cell, const Parameter& parameter);
 
 }  // namespace tribunal::bench

@@ -82,7 +82,7 @@ void try_witness(const std::string& name, const Case& c, std::map<std::string, d
 }
 
 Finding run_knuth_printed(const Cell& cell) {
-  const bool uniform = choice(cell, generator_parameter) == "uniform";
+  const bool uniform = choice(cell.parameters, generator_parameter) == "uniform";
   Finding finding;
   try_witness("witness.1", {{-1, -1, 1}, {0, 1, 1}}, finding.counters);
   try_witness("witness.2", {{19317, 1444, -18836}, {24311, 26904, 14696}}, finding.counters);

@@ -5,7 +5,8 @@
 #include "bench/experiments/experiment.hpp"
 #include "predicates/predicate.hpp"
 
-#include <algorithm>
+#include <string_view>
+#include <vector>
 
 namespace tribunal::bench {
 
@@ -16,9 +17,7 @@ constexpr Parameter predicate_parameter{
 
 /// The cell's value of predicate_parameter.
 inline Predicate chosen_predicate(const Cell& cell) {
-  const auto named =
-      std::find(predicate_names.begin(), predicate_names.end(), choice(cell, predicate_parameter));
-  return static_cast<Predicate>(named - predicate_names.begin());
+  return choice_as<Predicate>(cell.parameters, predicate_parameter);
 }
 
 constexpr Parameter algorithm_parameter{
@@ -30,7 +29,7 @@ constexpr Parameter algorithm_parameter{
 
 /// The cell's value of algorithm_parameter.
 inline const PlanarAlgorithm& chosen_algorithm(const Cell& cell) {
-  return *find_planar_algorithm(choice(cell, algorithm_parameter));
+  return *find_planar_algorithm(choice(cell.parameters, algorithm_parameter));
 }
 
 }  // namespace tribunal::bench

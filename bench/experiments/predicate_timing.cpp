@@ -29,7 +29,7 @@ std::vector<MicroCell> time_one(const Cell& cell) {
   for (Subject& subject : backend_subjects())
     if (subject.name == cell.backend) options.subjects.push_back(std::move(subject));
   options.predicates = {chosen_predicate(cell)};
-  options.families = {find_query_family(choice(cell, family_parameter))};
+  options.families = {find_query_family(choice(cell.parameters, family_parameter))};
   options.queries = cell.n;
   options.seed = cell.seed;
   return bench_predicates(options);

@@ -119,7 +119,7 @@ class Generator {
 };
 
 std::vector<Point2> draw_queries(const Cell& cell, bool incircle) {
-  const std::string kind = choice(cell, generator_parameter);
+  const std::string kind = choice(cell.parameters, generator_parameter);
   Generator generator(cell.seed, cell.bits == 0 ? 53 : cell.bits);
   const double unit = cell.bits == 0 ? 0x1p-53 : 1;
   std::vector<Point2> points;
@@ -140,7 +140,7 @@ Decision decide(const Kernel2& kernel, const Point2* p, bool incircle) {
 Finding run_sign_differential(const Cell& cell) {
   if (cell.bits != 0 && cell.bits < least_bits)
     return {Outcome::refused_input, "bits is 0 or at least " + std::to_string(least_bits)};
-  const bool incircle = choice(cell, predicate_parameter) == "incircle";
+  const bool incircle = choice(cell.parameters, predicate_parameter) == "incircle";
   const std::vector<Point2> points = draw_queries(cell, incircle);
   const Kernel2Binding binding = cell_kernel(points, cell);
   if (const auto* refusal = std::get_if<Refusal>(&binding))

@@ -65,7 +65,7 @@ std::string run_lengths(std::span<const Sign> signs) {
 }
 
 Finding run_sign_map(const Cell& cell) {
-  const std::string name = choice(cell, figure_parameter);
+  const std::string name = choice(cell.parameters, figure_parameter);
   const Figure* figure = std::begin(figures);
   while (figure->name != name) ++figure;
   const std::vector<Point2> points = figure_points(*figure);

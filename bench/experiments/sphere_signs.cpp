@@ -173,7 +173,7 @@ Finding run_in_plane(const Cell& cell) {
 
 Finding run_sphere_signs(const Cell& cell) {
   if (cell.bits < 2 || cell.bits > 52) return {Outcome::refused_input, "bits is 2 to 52"};
-  return choice(cell, space_parameter) == "plane" ? run_in_plane(cell) : run_in_space(cell);
+  return choice(cell.parameters, space_parameter) == "plane" ? run_in_plane(cell) : run_in_space(cell);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ constexpr std::array parameters{algorithm_parameter, orders_parameter};
 
 Finding run_tau_over_orders(const Cell& cell) {
   const PlanarAlgorithm& algorithm = chosen_algorithm(cell);
-  const std::uint64_t orders = whole_number(cell, orders_parameter);
+  const std::uint64_t orders = whole_number(cell.parameters, orders_parameter);
   const std::vector<Point2> points = cell_points(cell);
   const Kernel2Binding binding = cell_kernel(points, cell);
   if (const auto* refusal = std::get_if<Refusal>(&binding))

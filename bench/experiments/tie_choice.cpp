@@ -38,6 +38,12 @@ class ArbitraryTies final : public Kernel2 {
     const Decision decision = kernel_.decide_incircle(a, b, c, d);
     return circles_ ? broken(decision, {a, b, c, d}) : decision;
   }
+  Decision decide_compare_length(Point2 a, Point2 b, Point2 c, Point2 d) const override {
+    return kernel_.decide_compare_length(a, b, c, d);
+  }
+  Decision decide_compare_angle(const Angle<2>& p, const Angle<2>& q) const override {
+    return kernel_.decide_compare_angle(p, q);
+  }
   bool admits(Point2 p) const override { return kernel_.admits(p); }
   std::uint64_t ties() const { return ties_; }
 
@@ -69,7 +75,7 @@ Finding run_tie_choice(const Cell& cell) {
   const Kernel2Binding binding = cell_kernel(points, cell);
   if (const auto* refusal = std::get_if<Refusal>(&binding))
     return {Outcome::out_of_domain, describe(*refusal)};
-  const ArbitraryTies kernel(*std::get<0>(binding), choice(cell, ties_parameter) == "circles",
+  const ArbitraryTies kernel(*std::get<0>(binding), choice(cell.parameters, ties_parameter) == "circles",
                              cell.order_seed);
   const Triangulation t = triangulate(points, cell_order(points, cell, cell.order_seed), kernel, algorithm);
   const bool finished = t.outcome == Outcome::ok;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "datasets/files/files.hpp"
+#include "datasets/files/pslg.hpp"
 #include "datasets/files/scanner.hpp"
 
 namespace tribunal::files {
@@ -17,6 +18,8 @@ struct Format {
   MeshFile (*read_mesh)(Scanner&, std::uint64_t sites) = nullptr;
   std::string (*write_points)(std::span<const Point2>) = nullptr;
   std::string (*write_mesh)(std::span<const Point2>, std::span<const Triangle>) = nullptr;
+  /// `path` is that of the text, for files beside it.
+  PslgFile (*read_pslg)(const std::filesystem::path& path, std::string_view text) = nullptr;
   /// The format of the file that holds the mesh's points and is written beside it; null when the mesh file
   /// holds them.
   const Format* points_beside = nullptr;
@@ -28,5 +31,8 @@ extern const Format csv;
 extern const Format node;
 extern const Format ele;
 extern const Format off;
+extern const Format poly;
+extern const Format geojson;
+extern const Format wkt;
 
 }  // namespace tribunal::files

@@ -9,15 +9,21 @@ namespace {
 using files::Format;
 using Member = bool (*)(const Format&);
 
-const std::array all{&files::xy, &files::xyz, &files::csv, &files::node, &files::ele, &files::off};
+const std::array all{&files::xy,  &files::xyz,  &files::csv,     &files::node, &files::ele,
+                     &files::off, &files::poly, &files::geojson, &files::wkt};
+
+std::string ending_of(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
 
 /// The format of the path's ending; refuses when there is none or it does not hold such things.
 const Format& format_of(const std::filesystem::path& path, const Format& piped, std::string_view things,
                         Member holds) {
   if (path == "-") return piped;
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = ending_of(path);
   std::string known;
   for (const Format* format : all) {
     if (!holds(*format)) continue;
@@ -34,11 +40,21 @@ const Format& mesh_format(const std::filesystem::path& path) {
 }  // namespace
 
 PointFile read_points(const std::filesystem::path& path) {
-  const Format& format =
-      format_of(path, files::xy, "points", [](const Format& f) { return f.read_points != nullptr; });
+  const Format& format = format_of(path, files::xy, "points", [](const Format& f) {
+    return f.read_points != nullptr || f.read_pslg != nullptr;
+  });
   const std::string text = read_text(path);
+  if (format.read_pslg != nullptr) return format.read_pslg(path, text).sites;
   Scanner scanner(name_of(path), text, format.separator);
   return format.read_points(scanner);
+}
+
+std::optional<PslgFile> read_pslg(const std::filesystem::path& path) {
+  const std::string ending = ending_of(path);
+  const auto format = std::ranges::find_if(
+      all, [&](const Format* f) { return f->read_pslg != nullptr && f->about.name == ending; });
+  if (path == "-" || format == all.end()) return std::nullopt;
+  return (*format)->read_pslg(path, read_text(path));
 }
 
 MeshFile read_mesh(const std::filesystem::path& path, std::uint64_t sites) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <string>
+#include <string_view>
 
 namespace tribunal::files {
 
@@ -14,5 +15,9 @@ void append_number(std::string& text, Number value) {
   const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
   text.append(digits.data(), end);
 }
+
+/// The finite double that the whole of `text` spells: decimal, or hexadecimal with 0x, correctly rounded.
+/// Where it spells none, `refusal` becomes one line that says why, beginning with `what`.
+double read_number(std::string_view text, std::string_view what, std::string& refusal);
 
 }  // namespace tribunal::files

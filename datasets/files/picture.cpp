@@ -69,6 +69,22 @@ void append_position(std::string& text, const Sheet& sheet, const Point2& p) {
   append(text, sheet.y(p));
 }
 
+void append_strokes(std::string& svg, const Sheet& sheet, std::span<const Point2> points,
+                    std::span<const std::array<std::uint32_t, 2>> strokes, double line) {
+  if (strokes.empty()) return;
+  svg += "<path fill=\"none\" stroke=\"#b3261e\" stroke-linecap=\"round\" stroke-width=\"";
+  append(svg, line);
+  svg += "\" d=\"";
+  for (const auto& [a, b] : strokes) {
+    svg += 'M';
+    append_position(svg, sheet, points[a]);
+    svg += 'L';
+    append_position(svg, sheet, points[b]);
+    svg += '\n';
+  }
+  svg += "\"/>\n";
+}
+
 }  // namespace
 
 void require_picture_ending(const std::filesystem::path& path) {
@@ -78,7 +94,8 @@ void require_picture_ending(const std::filesystem::path& path) {
 }
 
 void write_picture(const std::filesystem::path& path, std::span<const Point2> points,
-                   std::span<const std::array<std::uint32_t, 3>> triangles) {
+                   std::span<const std::array<std::uint32_t, 3>> triangles,
+                   std::span<const std::array<std::uint32_t, 2>> strokes) {
   require_picture_ending(path);
   const Sheet sheet(box_of(points));
   std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 ";
@@ -89,7 +106,8 @@ void write_picture(const std::filesystem::path& path, std::span<const Point2> po
   // Thinner lines for denser meshes: a fixed share of the mean edge length, between a hair and a pencil.
   const double spacing = width / std::max(1.0, std::sqrt(static_cast<double>(points.size())));
   svg += "<path fill=\"#eef3f8\" stroke=\"#1f4e79\" stroke-linejoin=\"round\" stroke-width=\"";
-  append(svg, std::clamp(spacing * 0.04, 0.05, 1.5));
+  const double line = std::clamp(spacing * 0.04, 0.05, 1.5);
+  append(svg, line);
   svg += "\" d=\"";
   for (const auto& t : triangles) {
     svg += 'M';
@@ -112,6 +130,7 @@ void write_picture(const std::filesystem::path& path, std::span<const Point2> po
     }
     svg += "</g>\n";
   }
+  append_strokes(svg, sheet, points, strokes, 2.5 * line);
   svg += "</svg>\n";
   write_text(path, svg);
 }

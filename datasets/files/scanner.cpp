@@ -1,10 +1,10 @@
 #include "datasets/files/scanner.hpp"
 
 #include "datasets/files/files.hpp"
+#include "datasets/files/numerals.hpp"
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <system_error>
 
 namespace tribunal {
@@ -19,29 +19,6 @@ std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   return text;
-}
-
-bool take(std::string_view& text, char c) {
-  const bool taken = !text.empty() && text.front() == c;
-  if (taken) text.remove_prefix(1);
-  return taken;
-}
-
-/// std::from_chars with a leading '+' and the prefix 0x, neither of which it knows. The value is set when the
-/// whole field is a number; NaN and infinities are numbers here.
-std::errc parse(std::string_view field, double& value) {
-  const bool negative = take(field, '-');
-  if (!negative) take(field, '+');
-  auto format = std::chars_format::general;
-  if (field.size() > 2 && field[0] == '0' && (field[1] == 'x' || field[1] == 'X')) {
-    field.remove_prefix(2);
-    format = std::chars_format::hex;
-  }
-  if (field.empty() || field.front() == '-') return std::errc::invalid_argument;
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value, format);
-  if (end != field.data() + field.size()) return std::errc::invalid_argument;
-  if (negative) value = -value;
-  return error;
 }
 
 }  // namespace
@@ -106,15 +83,10 @@ std::string_view Scanner::field(std::string_view what) {
 }
 
 double Scanner::number(std::string_view what) {
-  const std::string_view text = field(what);
-  double value = 0;
-  const std::errc error = parse(text, value);
-  if (error == std::errc{} && std::isfinite(value)) return value;
-  const std::string found = std::string(what) + " is " + (text.empty() ? "empty" : in_quotes(text));
-  if (text.empty()) refuse(found);
-  if (error == std::errc{}) refuse(found + ", not finite");
-  refuse(found +
-         (error == std::errc::result_out_of_range ? ", outside the range of doubles" : ", not a number"));
+  std::string refusal;
+  const double value = files::read_number(field(what), what, refusal);
+  if (!refusal.empty()) refuse(refusal);
+  return value;
 }
 
 template <class Integer>

@@ -5,10 +5,11 @@
 #include "datasets/data/embedded.hpp"
 #include "datasets/files/scanner.hpp"
 #include "datasets/generators/generators.hpp"
+#include "datasets/real.hpp"
 
 #include <algorithm>
 
-namespace tribunal::generators {
+namespace tribunal {
 namespace {
 constexpr std::uint64_t size = 83767;
 
@@ -52,7 +53,19 @@ std::vector<Point2> generate(std::uint64_t n, std::uint64_t) {
 }
 }  // namespace
 
-constinit const Dataset counties{
+RealGraph county_arcs() {
+  Scanner scanner("counties.txt", data::counties());
+  RealGraph graph;
+  for (const Arc& arc : read_arcs(scanner))
+    for (std::size_t i = 0; i < arc.size(); ++i) {
+      graph.points.push_back(arc[i]);
+      const auto last = static_cast<std::uint32_t>(graph.points.size() - 1);
+      if (i > 0 && !(arc[i - 1] == arc[i])) graph.segments.push_back({last - 1, last});
+    }
+  return graph;
+}
+
+constinit const Dataset generators::counties{
     .about = {.name = "counties",
               .cites = "U.S. Census Bureau 2017, through us-atlas 3.0.1",
               .summary =
@@ -62,4 +75,4 @@ constinit const Dataset counties{
     .generate = generate,
 };
 
-}  // namespace tribunal::generators
+}  // namespace tribunal

@@ -1,7 +1,10 @@
 // What a backend is: an arithmetic plus a way to evaluate a formula's sign with it.
 #pragma once
 
+#include "predicates/backends/certified.hpp"
 #include "predicates/decision.hpp"
+#include "predicates/formulas/compare_angle.hpp"
+#include "predicates/formulas/compare_length.hpp"
 #include "predicates/formulas/in_sphere.hpp"
 #include "predicates/formulas/orient.hpp"
 #include "predicates/formulas/query.hpp"
@@ -53,9 +56,24 @@ class ErasedKernel2 final : public Kernel2 {
   Decision decide_incircle(Point2 a, Point2 b, Point2 c, Point2 d) const override {
     return backend_.template decide<InSphere<2>>({a, b, c, d});
   }
+  Decision decide_compare_length(Point2 a, Point2 b, Point2 c, Point2 d) const override {
+    return evaluator<CompareLength<2>>().template decide<CompareLength<2>>({a, b, c, d});
+  }
+  Decision decide_compare_angle(const Angle<2>& p, const Angle<2>& q) const override {
+    return tribunal::compare_angle<2>(evaluator<SineOfDifference>(), p, q);
+  }
   bool admits(Point2 p) const override { return backend_.admits(p); }
 
  private:
+  /// The backend itself, or what stands in for it where it serves two formulas only.
+  template <class Formula>
+  decltype(auto) evaluator() const {
+    if constexpr (Evaluates<B, Formula>)
+      return static_cast<const B&>(backend_);
+    else
+      return Certified{};
+  }
+
   B backend_;
 };
 

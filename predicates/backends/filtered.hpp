@@ -40,20 +40,30 @@ class Filtered {
   }
 
   /// One threshold for the whole box decides nearly every query; it costs a comparison more than no filter at
-  /// all.
+  /// all. Formulas without one begin with the bound of their own points: a high degree sets short edges too
+  /// far below the box.
   template <class Formula>
   Decision decide(const Query<Formula>& query) const {
     assert(std::all_of(query.begin(), query.end(), [&](const auto& p) { return admits(p); }));
-    const Sign sign = sign_beyond(Formula::determinant(query), threshold<Formula>());
+    Sign sign;
+    if constexpr (has_threshold<Formula>)
+      sign = sign_beyond(Formula::determinant(query), threshold<Formula>());
+    else
+      sign = filtered_sign<Formula>(query);
     if (sign != Sign::zero) [[likely]]
       return {sign, Stage::filter};
     return with_coordinates<Formula>(
         query, [this](auto... c) { return this->template decide_close<Formula>(c...); });
   }
 
+  template <class Formula>
+  static constexpr bool has_threshold =
+      std::same_as<Formula, Orient<2>> || std::same_as<Formula, InSphere<2>> ||
+      std::same_as<Formula, Orient<3>> || std::same_as<Formula, InSphere<3>> ||
+      std::same_as<Formula, CompareLength<2>> || std::same_as<Formula, Cosine<2>>;
+
   /// A determinant of admitted points, computed in doubles as written, that is greater in magnitude has its
-  /// true sign. Infinite for formulas other than the kernel's predicates: their queries begin with the bound
-  /// of their own points.
+  /// true sign. Infinite for formulas that have none.
   template <class Formula>
   double threshold() const {
     if constexpr (std::same_as<Formula, Orient<2>>)
@@ -64,6 +74,10 @@ class Filtered {
       return orient3d_threshold_;
     else if constexpr (std::same_as<Formula, InSphere<3>>)
       return insphere_threshold_;
+    else if constexpr (std::same_as<Formula, CompareLength<2>>)
+      return length_threshold_;
+    else if constexpr (std::same_as<Formula, Cosine<2>>)
+      return cosine_threshold_;
     else
       return std::numeric_limits<double>::infinity();
   }
@@ -75,7 +89,9 @@ class Filtered {
         orient2d_threshold_(error_bound_in_box<Orient<2>>(box.width())),
         incircle_threshold_(error_bound_in_box<InSphere<2>>(box.width())),
         orient3d_threshold_(error_bound_in_box<Orient<3>>(box.width())),
-        insphere_threshold_(error_bound_in_box<InSphere<3>>(box.width())) {}
+        insphere_threshold_(error_bound_in_box<InSphere<3>>(box.width())),
+        length_threshold_(error_bound_in_box<CompareLength<2>>(box.width())),
+        cosine_threshold_(error_bound_in_box<Cosine<2>>(box.width())) {}
 
   /// What the threshold of the box left open. On a lattice integers come first: they cost little more than a
   /// finer filter, and always decide. `count` finds out a point off the lattice or outside the bound points'
@@ -98,7 +114,8 @@ class Filtered {
 
   WorkingBox box_;
   std::optional<IntegerFrame> frame_;  ///< of the bound points, where they have one
-  double orient2d_threshold_, incircle_threshold_, orient3d_threshold_, insphere_threshold_;
+  double orient2d_threshold_, incircle_threshold_, orient3d_threshold_, insphere_threshold_,
+      length_threshold_, cosine_threshold_;
 };
 static_assert(Backend<Filtered, 2> && Backend<Filtered, 3>);
 

@@ -1,6 +1,8 @@
 #include "predicates/plugin/loader.hpp"
 
+#include "predicates/backends/certified.hpp"
 #include "predicates/domain.hpp"
+#include "predicates/formulas/compare_length.hpp"
 
 #include <cassert>
 #include <memory>
@@ -56,6 +58,13 @@ class PluginKernel2 final : public Kernel2 {
   Decision decide_incircle(Point2 a, Point2 b, Point2 c, Point2 d) const override {
     assert(context_.offer().incircle != nullptr);
     return decided(context_.offer().incircle(context_.value(), raw(a), raw(b), raw(c), raw(d)));
+  }
+  /// No plug-in offers comparisons of lengths and angles: these are ours, and exact.
+  Decision decide_compare_length(Point2 a, Point2 b, Point2 c, Point2 d) const override {
+    return Certified{}.decide<CompareLength<2>>({a, b, c, d});
+  }
+  Decision decide_compare_angle(const Angle<2>& p, const Angle<2>& q) const override {
+    return tribunal::compare_angle<2>(Certified{}, p, q);
   }
   bool admits(Point2 p) const override { return context_.offer().bind == nullptr && is_finite(p); }
 

@@ -14,7 +14,8 @@ namespace tribunal {
 // order of insertion and every exact backend, and each of its cells has volume. Ties of orientation are left
 // as they are, for they are facts that algorithms need: that a site lies on an edge, that a point is on the
 // hull, that all points are collinear. With them broken, three collinear points would span a triangle without
-// area. Who wants that asks simulation_of_simplicity.hpp.
+// area. So are ties of lengths and angles: equal is what they are. Who wants that asks
+// simulation_of_simplicity.hpp.
 
 /// Passes queries on to an exact kernel, which it owns, and breaks the ties of incircle.
 class TieBreakingKernel2 final : public Kernel2 {
@@ -29,6 +30,12 @@ class TieBreakingKernel2 final : public Kernel2 {
       return decision;
     return break_in_sphere_tie<2>({a, b, c, d},
                                   [&](const auto& p) { return exact_->orient2d(p[0], p[1], p[2]); });
+  }
+  Decision decide_compare_length(Point2 a, Point2 b, Point2 c, Point2 d) const override {
+    return exact_->decide_compare_length(a, b, c, d);
+  }
+  Decision decide_compare_angle(const Angle<2>& p, const Angle<2>& q) const override {
+    return exact_->decide_compare_angle(p, q);
   }
   bool admits(Point2 p) const override { return exact_->admits(p); }
 

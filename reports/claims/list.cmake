@@ -1,5 +1,6 @@
 # The claims there are, in the order in which they are tried and shown: one name per file <name>.toml beside this list.
 set(tribunal_claims
+    T1
     T2
     T3
     T4
@@ -14,6 +15,12 @@ set(tribunal_claims
     T5-created
     T6
     T6-sorted
+    T6-brio
+    T6-hilbert
+    T6-walk
+    T6-jump
+    T6-curve
+    T7
     N-log-N
     F-double
     P1
@@ -26,4 +33,30 @@ set(tribunal_claims
     P-kettner
     P7
     P8
-    P9)
+    P9
+    L1
+    L2
+    L3
+    L4
+    L5
+    L6
+    L6-stack
+    L6-shuffled
+    L7
+    L8
+    M1
+    M2
+    M3
+    M4
+    M5
+    M6
+    M8
+    G1
+    G2
+    G2-ties
+    G3
+    G4
+    G4-early
+    G4-gilbert
+    G5
+    G6)

@@ -28,6 +28,8 @@ std::string describe(const bench::Row& row) {
   const bench::Cell& cell = row.cell;
   const auto algorithm = cell.parameters.find("algorithm");
   std::string text = algorithm == cell.parameters.end() ? cell.task : algorithm->second;
+  if (algorithm == cell.parameters.end())
+    for (const auto& [name, value] : cell.parameters) text.append(" ").append(name).append("=").append(value);
   text += ", " + cell.backend;
   if (!cell.dataset.empty()) text += ", " + cell.dataset + ", " + cell.order + " order";
   if (cell.n > 0) text += ", N = " + std::to_string(cell.n);

@@ -26,7 +26,7 @@ double counter(const bench::Row& row, std::string_view name);
 /// biased one.
 void require_finished(Rows rows);
 
-/// "green-sibson, uniform, random order, N = 1000": a row without its seeds.
+/// "green-sibson location=walk, filtered, uniform, random order, N = 1000": a row without its seeds.
 std::string describe(const bench::Row& row);
 
 /// Rows by the number of points asked for.

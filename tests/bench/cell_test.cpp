@@ -87,6 +87,22 @@ TEST(Cells, QuantisedInputLiesOnTheLattice) {
   EXPECT_EQ(run_cell(cell).outcome, "ok");
 }
 
+TEST(Cells, ParametersReachTheAlgorithmAndTheReplay) {
+  Cell cell = cell_of("green-sibson", "gmp", "uniform", 60);
+  const Row by_history = run_cell(cell);
+  cell.parameters = {{"location", "walk"}};
+  const Row by_walk = run_cell(cell);
+  EXPECT_EQ(by_walk.digest, by_history.digest);
+  EXPECT_EQ(by_walk.counters.count("history.nodes"), 0u);
+  EXPECT_NE(by_walk.key, by_history.key);
+  EXPECT_NE(by_walk.command.find(R"("parameters":{"location":"walk"})"), std::string::npos)
+      << by_walk.command;
+  cell.parameters = {{"location", "taxi"}};
+  EXPECT_THROW(run_cell(cell), BadInput);
+  cell.parameters = {{"place", "walk"}};
+  EXPECT_THROW(run_cell(cell), BadInput);
+}
+
 TEST(Cells, NamesThatDoNotExistAreBadInput) {
   EXPECT_THROW(run_cell(cell_of("boyer", "gmp", "uniform", 9)), BadInput);
   EXPECT_THROW(run_cell(cell_of("bowyer", "gimp", "uniform", 9)), BadInput);

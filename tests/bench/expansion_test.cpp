@@ -116,6 +116,20 @@ TEST(Expansion, ParametersMultiplyAndDefaultsAreFilledIn) {
             4u);
 }
 
+// An algorithm's cell carries what is not standard, so that the plain algorithm keeps the key that it had
+// before it had parameters.
+TEST(Expansion, AnAlgorithmsDefaultsAreLeftOut) {
+  const std::string block = "[[cells]]\nalgorithm='green-sibson'\nbackend='gmp'\ndataset='grid'\nn=9\n";
+  const Plan plain = plan_of(block), spelled = plan_of(block + "parameters={location='history'}\n");
+  EXPECT_TRUE(plain.cells[0].parameters.empty());
+  EXPECT_EQ(cell_key(plain.cells[0]), "a8f24536a8bdc306");
+  EXPECT_EQ(cell_key(spelled.cells[0]), cell_key(plain.cells[0]));
+  const Plan both = plan_of(block + "parameters={location=['walk','history']}\n");
+  ASSERT_EQ(both.cells.size(), 2u);
+  EXPECT_EQ(both.cells[0].parameters.at("location"), "walk");
+  EXPECT_NE(cell_key(both.cells[0]), cell_key(both.cells[1]));
+}
+
 TEST(Expansion, AClaimsTableMayHoldMoreThanCells) {
   const toml::table claim =
       toml::parse("rule='x'\n[[tier.cells]]\nalgorithm='bowyer'\nbackend='gmp'\ndataset='grid'\nn=9\n");

@@ -13,12 +13,6 @@
 namespace tribunal::bench {
 namespace {
 
-Row run_one(const std::string& block) {
-  const Plan plan = plan_of("[[cells]]\n" + block);
-  EXPECT_EQ(plan.cells.size(), 1u);
-  return run_cell(plan.cells.at(0));
-}
-
 TEST(Scopes, SatisfyTheirIdentitiesInGeneralPosition) {
   for (const int n : {3, 4, 6, 12, 25}) {
     const Row row = run_one("experiment='scopes'\nbackend='gmp'\ndataset='uniform'\nn=" + std::to_string(n));

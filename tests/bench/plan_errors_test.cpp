@@ -73,13 +73,21 @@ const Wrong wrongs[] = {
      "[[cells]]\nalgorithm = \"bowyer\"\nbackend = \"gmp\"\ndataset = \"grid\"\nn = 9\nparameters = {a = "
      "1}\n",
      "6:14: bowyer takes no parameters"},
+    {"algorithms_share_parameters",
+     "[[cells]]\nalgorithm = [\"green-sibson\", \"bowyer\"]\nbackend = \"gmp\"\ndataset = \"grid\"\nn = 9\n"
+     "parameters = {location = \"walk\"}\n",
+     "6:14: bowyer takes no parameters"},
+    {"algorithm_parameter_choice",
+     "[[cells]]\nalgorithm = \"green-sibson\"\nbackend = \"gmp\"\ndataset = \"grid\"\nn = 9\n"
+     "parameters = {location = \"taxi\"}\n",
+     "6:26: location is one of history, walk, jump-and-walk, not \"taxi\""},
     {"unknown_key", "[[cells]]\nalgorithm = \"bowyer\"\nbakend = \"gmp\"\n",
      "3:1: unknown key \"bakend\" (known here: algorithm, experiment, backend, dataset, n, bits, seed, "
      "order_seed, "
      "order, measure, repeats, parameters)"},
     {"unknown_parameter",
      "[[cells]]\nexperiment = \"sign-map\"\nbackend = \"gmp\"\nparameters = {fig = \"2a\"}\n",
-     "4:15: sign-map has no parameter \"fig\""},
+     "4:15: sign-map has no parameter \"fig\" (there is figure)"},
     {"parameter_choice",
      "[[cells]]\nexperiment = \"sign-map\"\nbackend = \"gmp\"\nparameters = {figure = \"3\"}\n",
      "4:24: figure is one of 2a, 2b, 2c, not \"3\""},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bench/campaign.hpp"
+#include "bench/cell.hpp"
 #include "bench/plan.hpp"
 
 #include <gtest/gtest.h>
@@ -58,6 +59,13 @@ inline Plan small_plan() {
     bits = 20
     parameters = { generator = ["uniform", "grid"] }
   )");
+}
+
+/// The row of the only cell that a table of a plan stands for.
+inline Row run_one(const std::string& block) {
+  const Plan plan = plan_of("[[cells]]\n" + block);
+  EXPECT_EQ(plan.cells.size(), 1u);
+  return run_cell(plan.cells.at(0));
 }
 
 }  // namespace tribunal::bench

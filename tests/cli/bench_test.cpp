@@ -1,7 +1,9 @@
-// tribunal bench predicates: what users type and what comes back.
+// tribunal bench: what users type and what comes back.
 #include "tests/cli/program.hpp"
 
 #include <gtest/gtest.h>
+
+#include <set>
 
 namespace tribunal::cli {
 namespace {
@@ -58,11 +60,48 @@ TEST(Bench, SameSeedSameSigns) {
   EXPECT_NE(rates("7"), rates("8"));
 }
 
+TEST(Bench, AlgorithmsRaceInAllTheVariantsNamed) {
+  const Ended ended = tribunal({"bench", "algorithms", "-n", "200", "--repetitions", "2", "--algorithm",
+                                "green-sibson", "--set", "location=walk", "--set", "location=history",
+                                "--order", "brio", "--order", "x", "--json", "--progress", "none"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  std::set<std::string> names;
+  const auto document = ended.json();
+  for (const auto& time : document.at("times")) {
+    names.insert(time.at("contestant").get<std::string>());
+    EXPECT_EQ(time.at("outcome"), "ok");
+    EXPECT_EQ(time.at("n"), 200);
+    EXPECT_GT(time.at("seconds"), 0);
+  }
+  const std::set<std::string> expected{
+      "green-sibson, filtered, brio order", "green-sibson, filtered, x order",
+      "green-sibson location=walk, filtered, brio order", "green-sibson location=walk, filtered, x order"};
+  EXPECT_EQ(names, expected);
+  EXPECT_TRUE(document.at("ratios").empty()) << "there is no rival";
+}
+
+TEST(Bench, AWrongMeshHasNoTimeAndFails) {
+  const Ended ended = tribunal({"bench", "algorithms", "--dataset", "near-circle", "-n", "400", "--backend",
+                                "float", "--repetitions", "1", "--json"});
+  EXPECT_EQ(ended.status, 1);
+  const auto time = ended.json().at("times").at(0);
+  EXPECT_NE(time.at("outcome"), "ok");
+  EXPECT_FALSE(time.contains("seconds"));
+  EXPECT_FALSE(time.at("reason").get<std::string>().empty());
+}
+
 TEST(Bench, MistakesAreToldInOneLineWithStatusTwo) {
   for (const std::vector<std::string>& words :
        std::vector<std::vector<std::string>>{{"bench"},
                                              {"bench", "sorting"},
                                              {"bench", "predicates", "--backend", "abacus"},
+                                             {"bench", "algorithms", "--algorithm", "magic"},
+                                             {"bench", "algorithms", "--order", "chaos"},
+                                             {"bench", "algorithms", "--dataset", "nowhere"},
+                                             {"bench", "algorithms", "--set", "location"},
+                                             {"bench", "algorithms", "--set", "location=taxi"},
+                                             {"bench", "algorithms", "--backend", "abacus"},
+                                             {"bench", "algorithms", "-n", "0"},
                                              {"bench", "predicates", "--predicate", "handedness"},
                                              {"bench", "predicates", "--family", "addams"},
                                              {"bench", "predicates", "--queries", "0"},

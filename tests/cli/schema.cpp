@@ -7,7 +7,10 @@ namespace tribunal::cli {
 namespace {
 using nlohmann::json;
 
-bool has_type(const json& value, const std::string& type) {
+/// `type` is a name or a list of names.
+bool has_type(const json& value, const json& type) {
+  if (type.is_array())
+    return std::any_of(type.begin(), type.end(), [&](const json& one) { return has_type(value, one); });
   if (type == "object") return value.is_object();
   if (type == "array") return value.is_array();
   if (type == "string") return value.is_string();
@@ -61,7 +64,7 @@ std::string schema_fault(const json& schema, const json& value, const std::strin
     return path + " is none of: " + faults;
   }
   if (schema.contains("type") && !has_type(value, schema.at("type")))
-    return path + " is no " + schema.at("type").get<std::string>();
+    return path + " is no " + schema.at("type").dump();
   if (schema.contains("const") && value != schema.at("const"))
     return path + " is not " + schema.at("const").dump();
   if (schema.contains("enum") && std::count(schema.at("enum").begin(), schema.at("enum").end(), value) == 0)

@@ -52,6 +52,34 @@ TEST(Triangulate, RealSitesByEveryAlgorithmAndBackend) {
   EXPECT_EQ(taus.size(), 1U);
 }
 
+TEST(Triangulate, ParametersAreSetByName) {
+  const auto plain = tribunal({"triangulate", "uniform", "-n", "300", "--json"}).json();
+  EXPECT_EQ(plain["parameters"], nlohmann::json::object());
+  const auto walk =
+      tribunal({"triangulate", "uniform", "-n", "300", "--set", "location=walk", "--json"}).json();
+  EXPECT_EQ(walk["parameters"]["location"], "walk");
+  EXPECT_EQ(walk["digest"], plain["digest"]);
+  EXPECT_TRUE(walk["history"].is_null());
+  EXPECT_FALSE(plain["history"].is_null());
+}
+
+TEST(Triangulate, ParametersThatThereAreNotAreRefusedInOneLine) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes{
+      {{"--set", "location=taxi"}, "location is one of history, walk, jump-and-walk, not \"taxi\""},
+      {{"--set", "place=walk"}, "green-sibson has no parameter \"place\" (there is location)"},
+      {{"--set", "location"}, "--set wants NAME=VALUE, not 'location'"},
+      {{"--set", "location=walk", "--set", "location=walk"}, "--set gives location twice"},
+      {{"--set", "location=walk", "--algorithm", "bowyer"}, "bowyer takes no parameters"},
+  };
+  for (const auto& [options, reason] : mistakes) {
+    std::vector<std::string> words{"triangulate", "uniform"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Ended ended = tribunal(words);
+    EXPECT_EQ(ended.status, 2) << reason;
+    EXPECT_EQ(ended.err, "tribunal: " + reason + "\n");
+  }
+}
+
 TEST(Triangulate, EveryMeshFormatVerifies) {
   const Folder folder;
   const std::string points = folder / "p.node";

@@ -67,12 +67,14 @@ TEST(ByDefinition, EveryAlgorithmReturnsTheEmptyDisks) {
     const auto expected = by_definition(sites);
     if (!expected) continue;
     ++tie_free;
-    for (const auto& algorithm : planar_algorithms())
+    for (const auto& algorithm : planar_algorithms()) {
+      if (algorithm.about.promise != Promise::delaunay) continue;
       for (const char* backend : {"knuth", "fortune-van-wyk", "filtered", "gmp"}) {
         const Triangulation t = run(points, algorithm, backend, Order::random, seed);
         EXPECT_EQ(canonical(t.triangles), canonical(*expected))
             << algorithm.about.name << " " << backend << " seed " << seed;
       }
+    }
   }
   EXPECT_GT(tie_free, 30);
 }

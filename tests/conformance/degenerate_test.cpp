@@ -9,6 +9,9 @@ class Degenerate : public testing::TestWithParam<const PlanarAlgorithm*> {
   Triangulation run(const std::vector<Point2>& points, std::string_view backend = "gmp") const {
     return tribunal::run(points, *GetParam(), backend, Order::input);
   }
+  verify::Verdict check(const std::vector<Point2>& points, const Triangulation& t) const {
+    return tribunal::check(points, t, GetParam()->about.promise);
+  }
 };
 
 TEST_P(Degenerate, NoPointsAreRefused) { EXPECT_EQ(run({}).outcome, Outcome::refused_input); }

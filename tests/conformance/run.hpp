@@ -17,7 +17,7 @@ namespace tribunal {
 
 inline Triangulation run(const std::vector<Point2>& points, const PlanarAlgorithm& algorithm,
                          std::string_view backend = "gmp", Order order = Order::random,
-                         std::uint64_t seed = 1) {
+                         std::uint64_t seed = 1, const Settings& settings = {}) {
   const Kernel2Binding bound = find_backend(backend)->bind2(points);
   if (const auto* refusal = std::get_if<Refusal>(&bound)) {
     Triangulation refused;
@@ -25,11 +25,13 @@ inline Triangulation run(const std::vector<Point2>& points, const PlanarAlgorith
     refused.reason = refusal->reason;
     return refused;
   }
-  return triangulate(points, insertion_order(points, order, seed), *std::get<0>(bound), algorithm);
+  return triangulate(points, insertion_order(points, order, seed), *std::get<0>(bound), algorithm, settings);
 }
 
-inline verify::Verdict check(const std::vector<Point2>& points, const Triangulation& t) {
-  return verify::verify_planar(points, {t.triangles});
+inline verify::Verdict check(const std::vector<Point2>& points, const Triangulation& t,
+                             Promise promise = Promise::delaunay) {
+  const auto kind = promise == Promise::delaunay ? verify::Kind::delaunay : verify::Kind::triangulation;
+  return verify::verify_planar(points, {t.triangles}, {.kind = kind});
 }
 
 /// A name as GoogleTest wants it: '-' and the like become '_'.

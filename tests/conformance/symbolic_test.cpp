@@ -51,7 +51,8 @@ TEST_P(Symbolic, EveryBackendAlgorithmAndOrderGivesTheOneTriangulation) {
   const auto& points = GetParam().points;
   std::optional<std::string> reference;
   for (const BackendEntry& backend : symbolic_backends())
-    for (const auto& algorithm : planar_algorithms())
+    for (const auto& algorithm : planar_algorithms()) {
+      if (algorithm.about.promise != Promise::delaunay) continue;
       for (const std::uint64_t seed : {1, 2, 3}) {
         const Order order = seed == 3 ? Order::hilbert : Order::random;
         const Triangulation t = run(points, algorithm, backend.about->name, order, seed);
@@ -65,6 +66,7 @@ TEST_P(Symbolic, EveryBackendAlgorithmAndOrderGivesTheOneTriangulation) {
         ASSERT_EQ(found, *reference) << backend.about->name << ", " << algorithm.about.name << ", seed "
                                      << seed;
       }
+    }
 }
 
 /// The rank is the points' own, so that it does not matter where they stand in the file.

@@ -165,9 +165,11 @@ TEST(BadPaths, AreRefusedWithTheSystemsReason) {
   EXPECT_EQ(reading("folder.xy"), "folder.xy: cannot read: Is a directory");
   EXPECT_EQ(reading("file.xy/a.xy"), "file.xy/a.xy: cannot read: Not a directory");
   EXPECT_EQ(reading("file"),
-            "file: no format for points has the ending \"\", there are .xy .xyz .csv .node .off");
+            "file: no format for points has the ending \"\", there are .xy .xyz .csv .node .off .poly "
+            ".geojson .wkt");
   EXPECT_EQ(reading("file.ele"),
-            "file.ele: no format for points has the ending \".ele\", there are .xy .xyz .csv .node .off");
+            "file.ele: no format for points has the ending \".ele\", there are .xy .xyz .csv .node .off "
+            ".poly .geojson .wkt");
   EXPECT_EQ(refusal(folder, [&] { read_mesh(folder / "a.xy"); }),
             "a.xy: no format for meshes has the ending \".xy\", there are .ele .off");
 }
@@ -184,7 +186,8 @@ TEST(BadPaths, AreRefusedWhenWriting) {
   EXPECT_EQ(writing("folder.xy"), "folder.xy: cannot write: Is a directory");
   EXPECT_EQ(writing("full.xy"), "full.xy: cannot write: No space left on device");
   EXPECT_EQ(writing("a.txt"),
-            "a.txt: no format for points has the ending \".txt\", there are .xy .xyz .csv .node .off");
+            "a.txt: no format for points has the ending \".txt\", there are .xy .xyz .csv .node .off .poly "
+            ".geojson .wkt");
   EXPECT_EQ(folder.files(), 2U);
 }
 

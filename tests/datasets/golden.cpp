@@ -46,6 +46,7 @@ TEST(Golden, EveryDatasetOf1000PointsAndSeed1) {
       {"kettner", 0x91140B770D9822DC},
       {"mixed-exponents", 0xAE1F03DCC2F1939C},
       {"lawson-worst-case", 0xD1945EB9DEF9218C},
+      {"trailing-edge", 0xC9377CC942738106},
       {"counties", 0xB5581ECB16857172},
       {"coast", 0x8069EEEF0101386B},
   };

@@ -121,7 +121,8 @@ TEST(Writing, FormatsAreListedWithWhatTheyHold) {
     names.push_back(format.name);
     EXPECT_FALSE(format.summary.empty());
   }
-  EXPECT_EQ(names, (std::vector<std::string_view>{".xy", ".xyz", ".csv", ".node", ".ele", ".off"}));
+  EXPECT_EQ(names, (std::vector<std::string_view>{".xy", ".xyz", ".csv", ".node", ".ele", ".off", ".poly",
+                                                  ".geojson", ".wkt"}));
 }
 
 }  // namespace

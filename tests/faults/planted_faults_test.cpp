@@ -69,7 +69,7 @@ TEST(PlantedFaults, CoverEveryKind) {
     for (const Plant& plant : all_plants())
       if (const auto planted = plant.plant(sample, random))
         for (const Finding& f : planted->expected) planted_kinds.insert(f.kind);
-  for (std::size_t kind = 0; kind < verify::fault_kinds; ++kind)
+  for (std::size_t kind = 0; kind < verify::fault_kinds_of_point_meshes; ++kind)
     EXPECT_TRUE(planted_kinds.contains(static_cast<FaultKind>(kind)))
         << to_string(static_cast<FaultKind>(kind));
 }

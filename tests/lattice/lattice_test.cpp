@@ -73,6 +73,12 @@ class BoostKernel final : public Kernel2 {
   Decision decide_incircle(Point2 a, Point2 b, Point2 c, Point2 d) const override {
     return {oracle::in_sphere<2>(std::array{a, b, c, d}), Stage::exact};
   }
+  Decision decide_compare_length(Point2 a, Point2 b, Point2 c, Point2 d) const override {
+    return {oracle::compare_length(a, b, c, d), Stage::exact};
+  }
+  Decision decide_compare_angle(const Angle<2>& p, const Angle<2>& q) const override {
+    return {oracle::compare_angle(p, q), Stage::exact};
+  }
   bool admits(Point2) const override { return true; }
 };
 
@@ -90,6 +96,8 @@ class LeftTurningKernel final : public Kernel2 {
     return {sign == Sign::zero ? Sign::positive : sign, Stage::rounded};
   }
   Decision decide_incircle(Point2, Point2, Point2, Point2) const override { return {}; }
+  Decision decide_compare_length(Point2, Point2, Point2, Point2) const override { return {}; }
+  Decision decide_compare_angle(const Angle<2>&, const Angle<2>&) const override { return {}; }
   bool admits(Point2) const override { return true; }
 };
 
@@ -97,6 +105,59 @@ TEST(Lattice, TheSweepFindsWrongSigns) {
   const Sweep found = sweep<3, 2>(lattice<2>(3), LeftTurningKernel());
   EXPECT_EQ(found.wrong, found.zeros);
   EXPECT_FALSE(found.first_wrong.empty());
+}
+
+/// |ab| against |cd| for all quadruples, and all pairs of angles with legs, on lattices whose squares and
+/// products fit an int.
+TEST(Lattice, LengthsOfAllQuadruplesOf4x4) {
+  const auto points = lattice<2>(4);
+  const auto square = [](Point2 a, Point2 b) {
+    return static_cast<int>((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]));
+  };
+  for (const BackendEntry& entry : backends()) {
+    if (!entry.about->exact) continue;
+    const auto kernel = bind<2>(entry, points);
+    int wrong = 0;
+    for (const Point2& a : points)
+      for (const Point2& b : points)
+        for (const Point2& c : points)
+          for (const Point2& d : points)
+            wrong += kernel->compare_length(a, b, c, d) != sign_of(square(a, b) - square(c, d));
+    EXPECT_EQ(wrong, 0) << entry.about->name;
+  }
+}
+
+/// An angle by its sine and cosine times the lengths of its legs, the sine not negative.
+struct Turn {
+  int sine, cosine;
+};
+Turn turn_of(const Angle<2>& a) {
+  const auto u = [&](int i) { return static_cast<int>(a[0][i] - a[1][i]); };
+  const auto v = [&](int i) { return static_cast<int>(a[2][i] - a[1][i]); };
+  return {std::abs(u(0) * v(1) - u(1) * v(0)), u(0) * v(0) + u(1) * v(1)};
+}
+/// By quadrants, then by slopes.
+Sign compare(const Turn& p, const Turn& q) {
+  const auto quadrant = [](const Turn& t) { return t.cosine > 0 ? 0 : t.cosine == 0 ? 1 : 2; };
+  if (quadrant(p) != quadrant(q)) return sign_of(quadrant(p) - quadrant(q));
+  return sign_of(p.sine * q.cosine - q.sine * p.cosine);
+}
+
+TEST(Lattice, AnglesOfAllPairsOf3x3) {
+  const auto points = lattice<2>(3);
+  std::vector<Angle<2>> angles;
+  for (const Point2& a : points)
+    for (const Point2& b : points)
+      for (const Point2& c : points)
+        if (!(a == b) && !(b == c)) angles.push_back({a, b, c});
+  for (const BackendEntry& entry : backends()) {
+    if (!entry.about->exact) continue;
+    const auto kernel = bind<2>(entry, points);
+    int wrong = 0;
+    for (const auto& p : angles)
+      for (const auto& q : angles) wrong += kernel->compare_angle(p, q) != compare(turn_of(p), turn_of(q));
+    EXPECT_EQ(wrong, 0) << entry.about->name;
+  }
 }
 
 // Larger lattices for the backends that answer in nanoseconds, degenerate or not.

@@ -63,7 +63,8 @@ TEST(Formula, AddsSubtractsAndMultipliesOnly) {
   EXPECT_EQ(count_operations<CompareLength<2>>(), (Operations{7, 4}));
   EXPECT_EQ(count_operations<CompareLength<3>>(), (Operations{11, 6}));
   EXPECT_EQ(count_operations<Cosine<2>>(), (Operations{5, 2}));
-  EXPECT_EQ(count_operations<CompareCosineSquares<2>>(), (Operations{23, 18}));
+  EXPECT_EQ(count_operations<SineOfDifference>(), (Operations{13, 10}));
+  EXPECT_EQ(count_operations<CompareCosineSquares<3>>(), (Operations{37, 24}));
   EXPECT_EQ(count_operations<PowerTest<2>>(), (Operations{24, 21}));
   EXPECT_EQ(count_operations<PowerTest<3>>(), (Operations{50, 48}));
 }
@@ -72,7 +73,8 @@ TEST(Formula, IsHomogeneousOfItsDegree) {
   static_assert(formula_size<Orient<2>>.degree == 2 && formula_size<Orient<3>>.degree == 3);
   static_assert(formula_size<InSphere<2>>.degree == 4 && formula_size<InSphere<3>>.degree == 5);
   static_assert(formula_size<CompareLength<3>>.degree == 2 &&
-                formula_size<CompareCosineSquares<3>>.degree == 8);
+                formula_size<CompareCosineSquares<3>>.degree == 8 &&
+                formula_size<SineOfDifference>.degree == 4);
   static_assert(formula_size<PowerTest<2>>.degree == 4 && formula_size<PowerTest<3>>.degree == 5);
   SUCCEED() << "checked at compile time";
 }

@@ -3,6 +3,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -58,7 +59,35 @@ Sign leibniz_sign(const Rows& matrix) {
   return static_cast<Sign>(determinant.sign());
 }
 
+Integer squared_distance(const std::vector<Integer>& a, const std::vector<Integer>& b) {
+  const Integer x = a[1] - b[1], y = a[2] - b[2];
+  return x * x + y * y;
+}
+
+/// The cosine of the angle at rows[i + 1] as an exact fraction: its square with its sign, over `legs`.
+struct SignedSquare {
+  Integer numerator, legs;
+};
+SignedSquare signed_squared_cosine(const Rows& rows, std::size_t i) {
+  const auto &a = rows[i], &apex = rows[i + 1], &b = rows[i + 2];
+  const Integer dot = (a[1] - apex[1]) * (b[1] - apex[1]) + (a[2] - apex[2]) * (b[2] - apex[2]);
+  return {dot * abs(dot), squared_distance(a, apex) * squared_distance(b, apex)};
+}
+
 }  // namespace
+
+Sign compare_length(Point2 a, Point2 b, Point2 c, Point2 d) {
+  const Rows rows = homogeneous_rows<2>(std::array{a, b, c, d});
+  const Integer difference = squared_distance(rows[0], rows[1]) - squared_distance(rows[2], rows[3]);
+  return static_cast<Sign>(difference.sign());
+}
+
+Sign compare_angle(const std::array<Point2, 3>& p, const std::array<Point2, 3>& q) {
+  const Rows rows = homogeneous_rows<2>(std::array{p[0], p[1], p[2], q[0], q[1], q[2]});
+  const SignedSquare first = signed_squared_cosine(rows, 0), second = signed_squared_cosine(rows, 3);
+  const Integer difference = second.numerator * first.legs - first.numerator * second.legs;
+  return static_cast<Sign>(difference.sign());
+}
 
 template <int D>
 Sign orient(std::span<const Point<D>> points) {

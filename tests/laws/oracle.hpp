@@ -5,6 +5,7 @@
 #include "predicates/point.hpp"
 #include "predicates/sign.hpp"
 
+#include <array>
 #include <span>
 
 namespace tribunal::oracle {
@@ -17,5 +18,12 @@ Sign orient(std::span<const Point<D>> points);
 /// where the last point lies above the lifted plane of positively oriented ones, which is outside.
 template <int D>
 Sign in_sphere(std::span<const Point<D>> points);
+
+/// Sign of |ab|^2 - |cd|^2.
+Sign compare_length(Point2 a, Point2 b, Point2 c, Point2 d);
+
+/// Sign of the difference of two angles in [0, pi], each at its second point, by the squares of their
+/// cosines.
+Sign compare_angle(const std::array<Point2, 3>& p, const std::array<Point2, 3>& q);
 
 }  // namespace tribunal::oracle

@@ -1,0 +1,28 @@
+// Which triangles of a mesh with held edges belong to the domain.
+#pragma once
+
+#include "algorithms/constrained/recover.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tribunal::constrained {
+
+/// A hole of the graph that marks nothing.
+struct NoHole : Abandon {
+  NoHole(Index which, const std::string& reason) : Abandon(Outcome::refused_input, reason), hole(which) {}
+  Index hole;
+};
+
+/// Segments that enclose nothing, ending at a vertex of the mesh.
+struct OpenLoop : Abandon {
+  explicit OpenLoop(Index end) : Abandon(Outcome::refused_input, "an open loop"), vertex(end) {}
+  Index vertex;
+};
+
+/// For each triangle whether it belongs to the domain; ghosts never do. Throws NoHole for a hole point
+/// outside the domain or on a segment, OpenLoop where the even-odd rule has no meaning, Abandon where the
+/// domain is empty. Linear, but for each hole a look at every triangle.
+std::vector<bool> find_domain(const Mesh& mesh, const Recovered& recovered, const Graph& graph);
+
+}  // namespace tribunal::constrained

@@ -1,0 +1,31 @@
+// Planar straight-line graphs: points, segments between them, holes.
+#pragma once
+
+#include "datasets/files/files.hpp"
+
+#include <optional>
+
+namespace tribunal {
+
+/// A planar straight-line graph as it stands in a file: points may coincide, segments may overlap, touch and
+/// cross.
+struct PslgFile {
+  PointFile sites;
+  std::vector<std::array<std::uint32_t, 2>> segments;  ///< by index into the sites; no two ends coincide
+  std::vector<std::uint64_t> segment_lines;            ///< 1-based line of each segment
+  std::vector<Point2> holes;                           ///< a point inside each hole
+  std::vector<std::uint64_t> hole_lines;
+  /// Whether the segments are the rings of polygons, so that the even-odd rule says what is inside.
+  bool polygons = false;
+};
+
+/// The graph of a .poly (Triangle), .geojson or .wkt file; nothing where the path has another ending. Throws
+/// BadInput as read_points does, and for a segment without length, a ring that does not close, a ring of less
+/// than three points.
+std::optional<PslgFile> read_pslg(const std::filesystem::path& path);
+
+/// A .poly file without points of its own: they are in the .node file beside it, numbered from 0.
+void write_poly(const std::filesystem::path& path, std::span<const std::array<std::uint32_t, 2>> segments,
+                std::span<const Point2> holes);
+
+}  // namespace tribunal

@@ -1,0 +1,59 @@
+#include "datasets/files/rings.hpp"
+
+#include "datasets/files/numerals.hpp"
+
+namespace tribunal::files {
+namespace {
+std::string at(Point2 point) {
+  std::string text = "(";
+  append_number(text, point[0]);
+  text += ", ";
+  append_number(text, point[1]);
+  return text + ")";
+}
+}  // namespace
+
+void Rings::push(Point2 point, Scanner::Place where) {
+  if (size() == 0xFFFFFFFF) cursor_.refuse_at(where, "more points than 32 bits can number");
+  pslg_.sites.points.push_back(point);
+  pslg_.sites.lines.push_back(where.line);
+}
+
+void Rings::join(std::uint32_t a, std::uint32_t b) {
+  pslg_.segments.push_back({a, b});
+  pslg_.segment_lines.push_back(pslg_.sites.lines[b]);
+}
+
+void Rings::add(Point2 point, Scanner::Place where) {
+  if (size() > first_ && pslg_.sites.points.back() == point)
+    cursor_.refuse_at(where, "a segment without length: " + at(point) + " follows itself");
+  push(point, where);
+  if (size() > first_ + 1) join(size() - 2, size() - 1);
+}
+
+void Rings::end_chain(Scanner::Place where) {
+  if (size() == first_ + 1) cursor_.refuse_at(where, "a line of one point");
+}
+
+void Rings::end_ring(Scanner::Place where) {
+  pslg_.polygons = true;
+  PointFile& sites = pslg_.sites;
+  if (size() == first_) return;
+  if (!(sites.points[first_] == sites.points.back()) || size() == first_ + 1)
+    cursor_.refuse_at(where, "an open ring: it begins at " + at(sites.points[first_]) + " in line " +
+                                 std::to_string(sites.lines[first_]) + " and ends at " +
+                                 at(sites.points.back()));
+  if (size() < first_ + 4) cursor_.refuse_at(where, "a ring of less than three points");
+  sites.points.pop_back();
+  sites.lines.pop_back();
+  pslg_.segments.back()[1] = first_;
+}
+
+void Rings::add_alone(Point2 point, Scanner::Place where) { push(point, where); }
+
+PslgFile Rings::take() {
+  if (pslg_.sites.points.empty()) cursor_.refuse_file("no points");
+  return std::move(pslg_);
+}
+
+}  // namespace tribunal::files

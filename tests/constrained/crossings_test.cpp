@@ -1,0 +1,159 @@
+// Segments that cross, split: nothing crosses afterwards, nothing has changed sides, and nothing has moved
+// far.
+#include "algorithms/constrained/crossings.hpp"
+
+#include "algorithms/constrained/rational_point.hpp"
+#include "datasets/dataset.hpp"
+#include "datasets/real.hpp"
+#include "predicates/backends/list.hpp"
+#include "tests/constrained/lattice_graph.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tribunal {
+namespace {
+
+mpq_class cross_product(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+int side(Point2 a, Point2 b, Point2 c) { return sgn(cross_product(rational(a), rational(b), rational(c))); }
+
+/// The vertices of the pieces of one segment, from its start.
+std::vector<Index> chain_of(const SplitGraph& split, Index segment) {
+  std::vector<Index> chain;
+  for (std::size_t i = 0; i < split.segments.size(); ++i) {
+    if (split.origin[i] != segment) continue;
+    if (chain.empty()) chain.push_back(split.segments[i][0]);
+    EXPECT_EQ(split.segments[i][0], chain.back());
+    chain.push_back(split.segments[i][1]);
+  }
+  return chain;
+}
+
+/// The chain runs from end to end, monotone, within two units in the last place, and no point is on its other
+/// side.
+void expect_faithful(const LatticeGraph& graph, const SplitGraph& split, Index segment) {
+  const auto [a, b] = graph.segments[segment];
+  const Point2 from = graph.points[a], to = graph.points[b];
+  const auto chain = chain_of(split, segment);
+  ASSERT_GE(chain.size(), 2U);
+  EXPECT_EQ(chain.front(), a);
+  EXPECT_EQ(chain.back(), b);
+  for (std::size_t i = 1; i < chain.size(); ++i) {
+    const Point2 p = split.points[chain[i - 1]], q = split.points[chain[i]];
+    if (from == to) continue;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      EXPECT_TRUE(from[axis] <= to[axis] ? p[axis] <= q[axis] : p[axis] >= q[axis]);
+    }
+    for (const Point2& v : graph.points)
+      if (std::min(p[0], q[0]) < v[0] && v[0] < std::max(p[0], q[0])) {
+        EXPECT_GE(side(from, to, v) * side(p, q, v), 0);
+      }
+    const double size = std::max(std::fabs(q[0]), std::fabs(q[1]));
+    const mpq_class unit(std::nextafter(size, std::numeric_limits<double>::infinity()) - size);
+    const RationalPoint u = rational(from), v = rational(to);
+    const mpq_class across = cross_product(u, v, rational(q));
+    const mpq_class length2 = (v.x - u.x) * (v.x - u.x) + (v.y - u.y) * (v.y - u.y);
+    EXPECT_LE(across * across, 4 * unit * unit * length2);
+  }
+}
+
+void expect_settled(const LatticeGraph& graph, Domain domain = Domain::hull) {
+  const SplitGraph split = split_crossings(graph.as(domain));
+  ASSERT_EQ(split.segments.size(), split.origin.size());
+  for (Index s = 0; s < graph.segments.size(); ++s) expect_faithful(graph, split, s);
+  for (std::size_t i = 0; i < graph.points.size(); ++i) EXPECT_EQ(split.points[i], graph.points[i]);
+  const Kernel2Binding bound = find_backend("filtered")->bind2(split.points);
+  const auto t = triangulate_graph(split.graph(graph.as(domain)),
+                                   insertion_order(split.points, Order::brio, 1), *std::get<0>(bound));
+  ASSERT_EQ(t.mesh.outcome, Outcome::ok) << t.mesh.reason;
+  const auto verdict = verify::verify_constrained(split.points, {t.mesh.triangles},
+                                                  {split.segments, graph.holes, verify::Domain::hull});
+  EXPECT_TRUE(verdict.valid()) << (verdict.valid() ? "" : verdict.faults[0].detail);
+}
+
+TEST(Crossings, SplitOnLattices) {
+  Random random(21);
+  int crossing = 0;
+  for (int i = 0; i < 1500 && !HasFailure(); ++i) {
+    const LatticeGraph graph = random_graph(random);
+    SCOPED_TRACE(describe(graph));
+    crossing += any_crossing(graph);
+    expect_settled(graph);
+  }
+  EXPECT_GT(crossing, 100);
+}
+
+LatticeGraph random_segments(Random& random, std::size_t n, double stretch, double offset) {
+  LatticeGraph graph;
+  for (Index i = 0; i < n; ++i) {
+    for (int end = 0; end < 2; ++end)
+      graph.points.push_back({{offset + random.unit() * stretch, offset + random.unit()}});
+    graph.segments.push_back({2 * i, 2 * i + 1});
+  }
+  return graph;
+}
+
+TEST(Crossings, SplitAnywhere) {
+  Random random(22);
+  for (const double stretch : {1.0, 1e-9, 1e6})
+    for (const double offset : {0.0, 1e6, -1e12})
+      expect_settled(random_segments(random, 40, stretch, offset));
+}
+
+// Lines through almost one point, and lines almost on one another: crossings closer together than doubles can
+// tell.
+TEST(Crossings, SplitWherePointsAreCloserThanDoubles) {
+  Random random(23);
+  for (int round = 0; round < 40 && !HasFailure(); ++round) {
+    LatticeGraph star, bundle;
+    for (Index i = 0; i < 12; ++i) {
+      const double angle = 0.5 + static_cast<double>(i);
+      const Point2 direction{{std::cos(angle), std::sin(angle)}};
+      for (const double end : {-1.0, 1.0})
+        star.points.push_back({{0.1 + end * direction[0] + random.unit() * 1e-16, 0.7 + end * direction[1]}});
+      star.segments.push_back({2 * i, 2 * i + 1});
+      for (const double end : {0.0, 1.0})
+        bundle.points.push_back({{0.3 + end + random.unit() * 0.1, 0.3 + 0.7 * end + random.unit() * 4e-16}});
+      bundle.segments.push_back({2 * i, 2 * i + 1});
+    }
+    expect_settled(star);
+    expect_settled(bundle);
+  }
+}
+
+TEST(Crossings, NearestDoubles) {
+  const auto half = [](double low) -> mpq_class {
+    return (mpq_class(low) + mpq_class(std::nextafter(low, 1e300))) / 2;
+  };
+  EXPECT_EQ(nearest({mpq_class(1, 3), mpq_class(-1, 3)}), (Point2{{1.0 / 3, -1.0 / 3}}));
+  EXPECT_EQ(nearest({half(1.0), half(std::nextafter(1.0, 2.0))}),
+            (Point2{{1.0, std::nextafter(std::nextafter(1.0, 2.0), 2.0)}}));
+  EXPECT_EQ(nearest({mpq_class(5e-324) / 3, mpq_class(5e-324) * 2 / 3}), (Point2{{0.0, 5e-324}}));
+  EXPECT_EQ(nearest({mpq_class(0), mpq_class(std::numeric_limits<double>::max())}),
+            (Point2{{0.0, std::numeric_limits<double>::max()}}));
+}
+
+// The lattice of the county borders is coarse enough for some of them to cross.
+TEST(Crossings, OfTheCounties) {
+  const RealGraph arcs = county_arcs();
+  const Graph graph{arcs.points, arcs.segments};
+  const SplitGraph split = split_crossings(graph);
+  EXPECT_GT(split.points.size(), arcs.points.size());
+  const Kernel2Binding bound = find_backend("filtered")->bind2(split.points);
+  for (const Domain domain : {Domain::hull, Domain::carved}) {
+    const auto t = triangulate_graph({split.points, split.segments, {}, domain},
+                                     insertion_order(split.points, Order::brio, 1), *std::get<0>(bound));
+    ASSERT_EQ(t.mesh.outcome, Outcome::ok) << t.mesh.reason;
+    const auto verdict = verify::verify_constrained(
+        split.points, {t.mesh.triangles}, {split.segments, {}, static_cast<verify::Domain>(domain)});
+    EXPECT_TRUE(verdict.valid()) << (verdict.valid() ? "" : verdict.faults[0].detail);
+  }
+}
+
+}  // namespace
+}  // namespace tribunal
