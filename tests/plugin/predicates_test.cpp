@@ -68,7 +68,8 @@ TEST(BrokenPredicates, ACrashIsAnOutcomeAndNamesItsQuery) {
 TEST(BrokenPredicates, ACrashInBindIsAnOutcome) {
   const cli::Ended ended = try_module("crashes_in_bind");
   ASSERT_EQ(ended.status, 1) << ended.err;
-  for (const auto& exercise : ended.json()["exercises"]) {
+  const auto document = ended.json();
+  for (const auto& exercise : document["exercises"]) {
     EXPECT_EQ(exercise["outcome"], "crash");
     EXPECT_NE(exercise["reason"].get<std::string>().find("in bind"), std::string::npos) << exercise;
   }
@@ -111,11 +112,13 @@ TEST(GoodPredicates, ADomainIsNoFailure) {
 }
 
 TEST(GoodPredicates, OnlyWhatIsRightHasATime) {
-  for (const char* name : {"naive", "integers"})
-    for (const auto& exercise : try_module(name).json()["exercises"]) {
+  for (const char* name : {"naive", "integers"}) {
+    const auto document = try_module(name).json();
+    for (const auto& exercise : document["exercises"]) {
       const bool timed = exercise["outcome"] == "right" && exercise["input"] != "fuzz";
       EXPECT_EQ(exercise["seconds"].is_number(), timed) << exercise;
     }
+  }
 }
 
 TEST(GoodPredicates, OneQueryAlone) {
