@@ -23,7 +23,9 @@ struct Case {
 
   int dimension() const { return dimension_of(predicate); }
   int points() const { return points_of(predicate); }
-  std::size_t size() const { return static_cast<std::size_t>(dimension() * points()); }
+  std::size_t size() const {
+    return static_cast<std::size_t>(dimension()) * static_cast<std::size_t>(points());
+  }
 
   std::span<double> numbers() { return {storage.data(), size()}; }
   std::span<const double> numbers() const { return {storage.data(), size()}; }
@@ -46,7 +48,9 @@ struct Case {
   friend bool operator==(const Case&, const Case&) = default;
 
  private:
-  std::size_t offset(int i) const { return static_cast<std::size_t>(i * dimension()); }
+  std::size_t offset(int i) const {
+    return static_cast<std::size_t>(i) * static_cast<std::size_t>(dimension());
+  }
 };
 
 /// Point i of a case in D dimensions.

@@ -101,7 +101,7 @@ fs::path save_to_corpus(const fs::path& folder, const CorpusEntry& entry) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw BadInput(name_of(folder) + ": " + error.message());
-  const fs::path file = folder / corpus_name(entry);
+  fs::path file = folder / corpus_name(entry);
   write_text(file, corpus_text(entry));
   return file;
 }

@@ -10,7 +10,7 @@ namespace {
 
 /// Uniform on {low, ..., high}.
 int between(Random& random, int low, int high) {
-  return low + static_cast<int>(random.below(static_cast<std::uint64_t>(high - low + 1)));
+  return low + static_cast<int>(random.below(static_cast<std::uint64_t>(high - low) + 1));
 }
 
 double& any_number(Case& asked, Random& random) { return asked.numbers()[random.below(asked.size())]; }

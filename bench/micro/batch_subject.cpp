@@ -11,7 +11,7 @@ namespace {
 template <class Formula>
 class BatchLoop final : public SignLoop {
  public:
-  BatchLoop(Filtered kernel, std::span<const Point<Formula::dimension>> points) : kernel_(std::move(kernel)) {
+  BatchLoop(Filtered kernel, std::span<const Point<Formula::dimension>> points) : kernel_(kernel) {
     for (std::size_t i = 0; i < points.size(); ++i)
       for (std::size_t axis = 0; axis < Formula::dimension; ++axis)
         columns_[i % Formula::points][axis].push_back(points[i][axis]);
