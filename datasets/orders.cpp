@@ -1,4 +1,6 @@
 #include "datasets/dataset.hpp"
+#include "datasets/hilbert.hpp"
+#include "datasets/radix_sort.hpp"
 #include "datasets/random.hpp"
 
 #include <algorithm>
@@ -11,48 +13,40 @@ namespace {
 
 constexpr std::array<std::string_view, 5> names{"random", "input", "hilbert", "x", "brio"};
 
-/// Position along the Hilbert curve of the lattice [0, 2^32)^2 (Hilbert 1891): at each level, from the
-/// coarsest, the quadrant's place among four, after which the quadrant is turned into the position of the
-/// first one.
-std::uint64_t hilbert_key(std::uint32_t x, std::uint32_t y) {
-  std::uint64_t key = 0;
-  for (int level = 31; level >= 0; --level) {
-    const std::uint32_t right = (x >> level) & 1;
-    const std::uint32_t up = (y >> level) & 1;
-    key = 4 * key + ((3 * right) ^ up);
-    if (up == 1) continue;
-    if (right == 1) {
-      x = ~x;
-      y = ~y;
-    }
-    std::swap(x, y);
-  }
-  return key;
-}
-
-std::vector<std::uint64_t> hilbert_keys(std::span<const Point2> points) {
+/// Positions in `order`, sorted along the Hilbert curve over the points' box; on the same cell as they stand.
+std::vector<Keyed> along_hilbert(std::span<const Point2> points, std::span<const std::uint32_t> order) {
   const auto lattice = quantise(points, 32);
-  std::vector<std::uint64_t> keys(points.size());
-  std::transform(lattice.begin(), lattice.end(), keys.begin(), [](const Point2& p) {
-    return hilbert_key(static_cast<std::uint32_t>(p[0]), static_cast<std::uint32_t>(p[1]));
-  });
-  return keys;
-}
-
-void sort_by_hilbert(std::span<std::uint32_t> order, std::span<const std::uint64_t> keys) {
-  std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return keys[i]; });
-}
-
-/// Rounds of a shuffled order, each half as long as the one after it, sorted along the curve within
-/// themselves (Amenta, Choi, Rote 2003).
-void sort_in_rounds(std::span<std::uint32_t> order, std::span<const std::uint64_t> keys) {
-  constexpr std::size_t shortest_round = 64;
-  std::size_t end = order.size();
-  while (end > 0) {
-    const std::size_t begin = end > shortest_round ? end / 2 : 0;
-    sort_by_hilbert(order.subspan(begin, end - begin), keys);
-    end = begin;
+  std::vector<Keyed> positions(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) {
+    const Point2 cell = lattice[order[i]];
+    positions[i] = {hilbert_key(static_cast<std::uint32_t>(cell[0]), static_cast<std::uint32_t>(cell[1])), i};
   }
+  sort_by_key(positions);
+  return positions;
+}
+
+/// Where the rounds of a shuffled order begin, the last one first: each is half as long as the one after it
+/// (Amenta, Choi, Rote 2003).
+std::vector<std::size_t> rounds_of(std::size_t size) {
+  constexpr std::size_t shortest_round = 64;
+  std::vector<std::size_t> begins;
+  for (std::size_t end = size; end > 0; end = begins.back())
+    begins.push_back(end > shortest_round ? end / 2 : 0);
+  return begins;
+}
+
+/// Sorts each round along the curve: one sort of all, whose result is dealt out to the rounds.
+std::vector<std::uint32_t> sort_in_rounds(std::span<const Point2> points,
+                                          std::span<const std::uint32_t> shuffled) {
+  const std::vector<std::size_t> begins = rounds_of(shuffled.size());
+  std::vector<std::size_t> next = begins;
+  std::vector<std::uint32_t> order(shuffled.size());
+  for (const Keyed& position : along_hilbert(points, shuffled)) {
+    std::size_t round = 0;
+    while (position.owner < begins[round]) ++round;
+    order[next[round]++] = shuffled[position.owner];
+  }
+  return order;
 }
 
 /// A stream of its own: a dataset drawn with the same seed must not share its order's random numbers.
@@ -74,7 +68,7 @@ std::vector<std::uint32_t> insertion_order(std::span<const Point2> points, Order
     case Order::input:
       break;
     case Order::hilbert:
-      sort_by_hilbert(indices, hilbert_keys(points));
+      std::ranges::transform(along_hilbert(points, indices), indices.begin(), &Keyed::owner);
       break;
     case Order::x:
       std::ranges::stable_sort(indices,
@@ -82,8 +76,7 @@ std::vector<std::uint32_t> insertion_order(std::span<const Point2> points, Order
       break;
     case Order::brio:
       random_order(seed).shuffle(std::span(indices));
-      sort_in_rounds(indices, hilbert_keys(points));
-      break;
+      return sort_in_rounds(points, indices);
   }
   return indices;
 }

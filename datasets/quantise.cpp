@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace tribunal {
@@ -33,6 +34,13 @@ std::vector<Point2> halved(std::span<const Point2> points) {
   return half;
 }
 
+/// The nearest integer, halves upwards; 0 <= x < 2^63. The library's own is a call for each number on
+/// machines without an instruction for it.
+double rounded(double x) {
+  const double whole = static_cast<double>(static_cast<std::int64_t>(x));
+  return x - whole < 0.5 ? whole : whole + 1;
+}
+
 }  // namespace
 
 std::vector<Point2> quantise(std::span<const Point2> points, int bits) {
@@ -45,17 +53,17 @@ std::vector<Point2> quantise(std::span<const Point2> points, int bits) {
   if (std::isinf(side)) return quantise(halved(points), bits);
   if (side == 0) return std::vector<Point2>(points.size(), Point2{{0, 0}});
 
-  // The side is first brought to [1/2, 1) by a power of two, which is exact: so neither tiny nor huge boxes
+  // The side is first brought to [1, 2) by a power of two, which is exact: so neither tiny nor huge boxes
   // overflow the scale, and a box whose side is the lattice's keeps its points, the scale being a power of
   // two itself.
-  int exponent = 0;
+  const double power = std::ldexp(1.0, std::ilogb(side));
   const double last = std::ldexp(1.0, bits) - 1;
-  const double scale = last / std::frexp(side, &exponent);
+  const double scale = last / (side / power);
   std::vector<Point2> lattice(points.begin(), points.end());
   for (Point2& point : lattice) {
     for (const std::size_t axis : {0, 1}) {
       const double offset = point[axis] - box.low[axis];
-      const double scaled = std::round(std::ldexp(offset, -exponent) * scale);
+      const double scaled = rounded(offset / power * scale);
       // At 52 bits and more the rounded product can miss the far side by one.
       point[axis] = offset == side ? last : std::min(scaled, last);
     }
