@@ -2,7 +2,9 @@
 #pragma once
 
 #include "algorithms/flips/flip_engine.hpp"
+#include "algorithms/flips/halves.hpp"
 #include "algorithms/flips/start.hpp"
+#include "algorithms/planar/renumbered.hpp"
 
 #include <cstdint>
 
@@ -50,15 +52,31 @@ inline Triangulation result_of(const EdgeMesh& mesh, const FlipCounts& counts) {
   return result;
 }
 
-/// Triangulates the problem's sites by flips alone; their order does not matter. Criterion is made of the
-/// sites.
+/// Flips a triangulation of the problem's sites. Criterion is made of the sites.
 template <FlipCriterion Criterion>
-Triangulation triangulate_by_flips(const PlanarProblem& problem, const FlipOptions& options) {
+Triangulation flip_triangles(const PlanarProblem& problem, std::span<const Triangle> start,
+                             const FlipOptions& options) {
   const Sites sites{problem.points, problem.kernel};
-  EdgeMesh mesh(start_triangulation(sites, problem.sites, options.start));
+  EdgeMesh mesh(start);
   flip_at_random(sites, mesh, options.random_flips * problem.sites.size(), options.seed);
   Criterion criterion(sites);
   return result_of(mesh, flip_to_optimum(sites, mesh, criterion, options));
+}
+
+/// Triangulates the problem's sites by flips alone; their order does not matter.
+template <FlipCriterion Criterion>
+Triangulation triangulate_by_flips(const PlanarProblem& problem, const FlipOptions& options) {
+  const Sites sites{problem.points, problem.kernel};
+  // Sweeps go by the names of sites; all else may name them so that neighbours lie together.
+  if (options.start != Start::halves || options.method == Method::sweeps)
+    return flip_triangles<Criterion>(problem, start_triangulation(sites, problem.sites, options.start),
+                                     options);
+  const Halved start = triangulate_by_halves(sites, problem.sites);
+  const PlanarProblem in_order{problem.points, start.order, problem.kernel, problem.settings};
+  const Renumbered renumbered(in_order);
+  Triangulation result = flip_triangles<Criterion>(renumbered.problem(), start.triangles, options);
+  renumbered.restore(result);
+  return result;
 }
 
 }  // namespace tribunal

@@ -12,7 +12,7 @@ namespace tribunal {
 
 constexpr Parameter start_parameter{
     .name = "start", .summary = "the triangulation to start from", .standard = "sweep", .choices = [] {
-      return std::vector<std::string_view>{"sweep", "fan"};
+      return std::vector<std::string_view>{"sweep", "fan", "halves"};
     }};
 constexpr Parameter random_flips_parameter{.name = "random-flips",
                                            .summary = "random flips tried per site before that",

@@ -1,6 +1,7 @@
 #include "algorithms/flips/start.hpp"
 
 #include "algorithms/abandon.hpp"
+#include "algorithms/flips/halves.hpp"
 #include "algorithms/flips/quadrilateral.hpp"
 #include "datasets/random.hpp"
 
@@ -80,9 +81,17 @@ void sort_around_first(const Sites& sites, std::span<Index> order) {
   });
 }
 
+std::vector<Triangle> by_halves(const Sites& sites, std::span<const Index> vertices) {
+  auto [order, triangles] = triangulate_by_halves(sites, vertices);
+  for (Triangle& t : triangles)
+    for (Index& corner : t) corner = order[corner];
+  return std::move(triangles);
+}
+
 }  // namespace
 
 std::vector<Triangle> start_triangulation(const Sites& sites, std::span<const Index> vertices, Start start) {
+  if (start == Start::halves) return by_halves(sites, vertices);
   std::vector<Index> order(vertices.begin(), vertices.end());
   std::sort(order.begin(), order.end(), [&](Index a, Index b) { return sites.points[a] < sites.points[b]; });
   if (start == Start::fan) sort_around_first(sites, order);

@@ -1,4 +1,4 @@
-// Triangulations to start flipping from: valid, and as bad as can be.
+// Triangulations to start flipping from: valid, and as bad as can be, or nearly good.
 #pragma once
 
 #include "algorithms/algorithm.hpp"
@@ -12,8 +12,9 @@
 namespace tribunal {
 
 enum class Start : std::uint8_t {
-  sweep,  ///< from left to right, each site joined to what it sees of the hull
-  fan,    ///< all sites joined to the leftmost one as far as they see it, in order around it
+  sweep,   ///< from left to right, each site joined to what it sees of the hull
+  fan,     ///< all sites joined to the leftmost one as far as they see it, in order around it
+  halves,  ///< in spatial order: halved again and again, the hulls of halves joined
 };
 
 /// Triangulates distinct sites, not all collinear, without a circle test. Triangles are counter-clockwise and

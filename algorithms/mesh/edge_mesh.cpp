@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
+#include <numeric>
 
 namespace tribunal {
 namespace {
@@ -16,15 +17,24 @@ struct Side {
   }
 };
 
+/// Dealt out by their smaller ends, of which each has a few.
 std::vector<Side> sorted_sides(std::span<const Triangle> triangles) {
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
+  Index last = 0;
+  for (const Triangle& t : triangles) last = std::max({last, t[0], t[1], t[2]});
+  const auto least_of = [](const Triangle& t, std::size_t i) { return std::min(t[i], t[(i + 1) % 3]); };
+  std::vector<Index> end(std::size_t{last} + 2, 0);  // of each vertex, where its sides end, one place later
+  for (const Triangle& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i) ++end[least_of(t, i) + 1];
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<Side> sides(3 * triangles.size());
+  Index number = 0;
   for (const Triangle& t : triangles)
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto [least, most] = std::minmax(t[i], t[(i + 1) % 3]);
-      sides.push_back({std::uint64_t{least} << 32 | most, static_cast<Index>(sides.size())});
+      const Index least = least_of(t, i);
+      sides[end[least]++] = {std::uint64_t{least} << 32 | std::max(t[i], t[(i + 1) % 3]), number++};
     }
-  std::sort(sides.begin(), sides.end());
+  for (Index begin = 0, v = 0; v <= last && begin < sides.size(); begin = end[v++])
+    std::sort(sides.begin() + begin, sides.begin() + end[v]);
   return sides;
 }
 

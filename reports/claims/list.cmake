@@ -44,6 +44,10 @@ set(tribunal_claims
     L6-shuffled
     L7
     L8
+    L9
+    L9-fan
+    L9-random
+    L9-halves
     M1
     M2
     M3

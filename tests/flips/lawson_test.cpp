@@ -55,7 +55,7 @@ TEST(Lawson, EndsInADelaunayTriangulationFromEveryStartInEveryOrder) {
   for (const Dataset& dataset : datasets()) {
     const Plane plane(dataset.generate(60, 2));
     if (!plane.usable) continue;
-    for (const Start start : {Start::sweep, Start::fan})
+    for (const Start start : {Start::sweep, Start::fan, Start::halves})
       for (const std::uint64_t scrambled : {0, 10})
         for (const Method method : {Method::stack, Method::sweeps})
           for (const Scan scan : {Scan::ascending, Scan::descending, Scan::shuffled}) {
@@ -74,7 +74,7 @@ TEST(Lawson, GivesTheTriangulationOfAnInsertion) {
   const Sites sites = plane.sites();
   const Triangulation inserted =
       triangulate(plane.points, plane.vertices, sites.kernel, *find_planar_algorithm("bowyer"));
-  for (const Start start : {Start::sweep, Start::fan}) {
+  for (const Start start : {Start::sweep, Start::fan, Start::halves}) {
     const PlanarProblem problem{plane.points, plane.vertices, sites.kernel};
     const Triangulation flipped =
         triangulate_by_flips<DelaunayCriterion>(problem, {.start = start, .random_flips = 5});
@@ -193,7 +193,7 @@ TEST(Lawson, LeavesFixedEdges) {
 TEST(Lawson, WrongSignsEnd) {
   for (const std::string_view backend : {"double", "float", "knuth-as-printed"})
     for (const std::string_view name : {"rotated-grid", "near-collinear", "kettner", "near-circle"})
-      for (const Start start : {Start::sweep, Start::fan}) {
+      for (const Start start : {Start::sweep, Start::fan, Start::halves}) {
         const Plane plane(find_dataset(name)->generate(150, 1), backend);
         if (!plane.usable) continue;
         try {

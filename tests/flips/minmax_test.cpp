@@ -82,7 +82,7 @@ TEST(MinMax, EdgeInsertionFindsTheBestFromEveryStart) {
     const Plane plane(integer_points(8, round % 3 == 0 ? 4 : 40, random), "gmp");
     if (!plane.usable) continue;
     const IntegerAngle best = search_all(plane).smallest;
-    for (const Start start : {Start::sweep, Start::fan}) {
+    for (const Start start : {Start::sweep, Start::fan, Start::halves}) {
       const auto result = insert_edges_for_min_max_angle(
           plane.sites(), start_triangulation(plane.sites(), plane.vertices, start));
       ASSERT_EQ(fault_of(plane.points, result.triangles), "");

@@ -9,7 +9,7 @@
 namespace tribunal::flips {
 namespace {
 
-constexpr Start all_starts[] = {Start::sweep, Start::fan};
+constexpr Start all_starts[] = {Start::sweep, Start::fan, Start::halves};
 
 TEST(Start, IsATriangulationOfEveryDataset) {
   int meshes = 0;
@@ -39,7 +39,7 @@ TEST(Start, IsATriangulationOfAllSmallLatticeSets) {
           << mask;
       ++meshes;
     }
-  EXPECT_EQ(meshes, 2 * (511 - 9 - 36 - 8));  // but for single points, pairs and lines of three
+  EXPECT_EQ(meshes, 3 * (511 - 9 - 36 - 8));  // but for single points, pairs and lines of three
 }
 
 TEST(Start, FanJoinsAllSitesToTheLeftmost) {
@@ -52,6 +52,55 @@ TEST(Start, FanJoinsAllSitesToTheLeftmost) {
     if (std::find(t.begin(), t.end(), leftmost) != t.end())
       for (const Index v : t) joined[v] = 1;
   EXPECT_EQ(std::count(joined.begin(), joined.end(), 1), std::ssize(plane.points));
+}
+
+/// Signs drawn by lot, the same ones whenever the same is asked.
+class DrawnSigns final : public Kernel2 {
+ public:
+  explicit DrawnSigns(std::uint64_t seed) : seed_(seed) {}
+  Decision decide_orient2d(Point2 a, Point2 b, Point2 c) const override { return drawn({a, b, c}); }
+  Decision decide_incircle(Point2 a, Point2 b, Point2 c, Point2 d) const override {
+    return drawn({a, b, c, d});
+  }
+  Decision decide_compare_length(Point2, Point2, Point2, Point2) const override { return {}; }
+  Decision decide_compare_angle(const Angle<2>&, const Angle<2>&) const override { return {}; }
+  bool admits(Point2) const override { return true; }
+
+ private:
+  Decision drawn(std::initializer_list<Point2> points) const {
+    std::uint64_t asked = seed_;
+    for (const Point2& p : points)
+      asked = asked * 1000003 + static_cast<std::uint64_t>(p[0]) * 1009 + static_cast<std::uint64_t>(p[1]);
+    return {static_cast<Sign>(static_cast<int>(Random(asked).below(3)) - 1), Stage::rounded};
+  }
+  std::uint64_t seed_;
+};
+
+/// Nonsense ends in triangles of some kind or is given up; nothing hangs.
+TEST(Start, HalvesEndWhateverTheSigns) {
+  int given_up = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    Random random(seed);
+    const Plane plane(integer_points(40, 30, random));
+    try {
+      const Halved halved = triangulate_by_halves({plane.points, DrawnSigns(seed)}, plane.vertices);
+      EXPECT_LE(halved.triangles.size(), 2 * plane.vertices.size());
+    } catch (const Abandon& abandon) {
+      EXPECT_EQ(abandon.outcome, Outcome::inconsistent_predicate);
+      ++given_up;
+    }
+  }
+  EXPECT_GT(given_up, 0);
+}
+
+TEST(Start, HalvesOrderEverySiteOnce) {
+  Random random(6);
+  const Plane plane(integer_points(300, 1000, random));
+  std::vector<Index> order = triangulate_by_halves(plane.sites(), plane.vertices).order;
+  std::ranges::sort(order);
+  std::vector<Index> vertices = plane.vertices;
+  std::ranges::sort(vertices);
+  EXPECT_EQ(order, vertices);
 }
 
 TEST(Start, RandomFlipsFollowTheirSeedAndLeaveFixedEdges) {
