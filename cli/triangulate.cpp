@@ -247,7 +247,8 @@ int triangulate(const TriangulateOptions& options, Console& console) {
     run = run_method(method, input, *std::get<0>(bound), options.seed, counted);
   }
   Triangulation& result = run.result;
-  if (run.constrained && result.outcome == Outcome::refused_input) {
+  if (run.constrained &&
+      (result.outcome == Outcome::refused_input || result.outcome == Outcome::out_of_domain)) {
     run.constrained->mesh.reason = result.reason;
     result.reason = cli::describe(*input.with_segments, *run.constrained);
   }

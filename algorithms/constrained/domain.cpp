@@ -44,7 +44,7 @@ Index triangle_around(const Mesh& mesh, Point2 p, Index hole, const std::string&
     const Triangle v = triangles.triangle(t);
     if (!in_box(p, mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]))) continue;
     if (!mesh.kernel().admits(p))
-      throw Abandon(Outcome::out_of_domain, name + " is outside the backend's domain");
+      throw NoHole(hole, name + " is outside the backend's domain", Outcome::out_of_domain);
     bool holds = true, on_segment = false;
     for (HalfEdge h = 3 * t; h < 3 * t + 3 && holds; ++h) {
       const Sign side = mesh.kernel().orient2d(mesh.point(triangles.from(h)), mesh.point(triangles.to(h)), p);

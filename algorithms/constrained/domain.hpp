@@ -8,9 +8,10 @@
 
 namespace tribunal::constrained {
 
-/// A hole of the graph that marks nothing.
+/// A hole of the graph that marks nothing, or that the backend cannot be asked about.
 struct NoHole : Abandon {
-  NoHole(Index which, const std::string& reason) : Abandon(Outcome::refused_input, reason), hole(which) {}
+  NoHole(Index which, const std::string& reason, Outcome why = Outcome::refused_input)
+      : Abandon(why, reason), hole(which) {}
   Index hole;
 };
 

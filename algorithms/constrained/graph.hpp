@@ -44,7 +44,7 @@ struct ConstrainedTriangulation {
   std::vector<Edge> constraints;  ///< the edges of the whole mesh that lie on segments, each once
   std::vector<Touch> touches;     ///< vertices inside segments
   std::optional<Edge> crossing;   ///< two segments that cross, where that is why it was refused
-  std::optional<Index> hole;      ///< the hole that is none, where that is why it was refused
+  std::optional<Index> hole;      ///< the hole at fault, where that is why it was refused
   std::optional<Index> open_end;  ///< a point where a loop is open, where that is why it was refused
   std::uint64_t swaps = 0;        ///< edge swaps made for the sake of segments
 };

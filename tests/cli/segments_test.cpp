@@ -100,6 +100,16 @@ TEST(Segments, BadFilesAreRefusedWithTheirPlace) {
   }
 }
 
+TEST(Segments, AHoleThatABackendCannotTellIsRefusedWithItsPlace) {
+  const Folder folder;
+  std::string off_lattice = square_with_hole;
+  off_lattice.replace(off_lattice.rfind("4 4"), 3, "4.5 4");
+  const std::string file = folder.write("a.poly", off_lattice);
+  const Ended ended = tribunal(constrained(file, {"--backend", "knuth64"}));
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_EQ(ended.err, "tribunal: " + file + ":20: hole 0 is outside the backend's domain\n");
+}
+
 TEST(Segments, AreNotLostUnasked) {
   const Folder folder;
   const std::string file = folder.write("a.poly", square_with_hole);
