@@ -30,29 +30,40 @@ Axis axis(std::vector<T> values, T Cell::*field) {
   return {size, [values = std::move(values), field](Cell& cell, std::size_t i) { cell.*field = values[i]; }};
 }
 
-std::vector<std::string> all_tasks() {
+/// Words that stand for several names of a kind; together they have all names that there are.
+using Group = std::pair<std::string, std::vector<std::string>>;
+using Groups = std::vector<Group>;
+
+Groups all_tasks() {
   std::vector<std::string> names;
   for (const PlanarAlgorithm& algorithm : planar_algorithms()) names.emplace_back(algorithm.about.name);
-  return names;
+  return {Group{"*", std::move(names)}};
 }
 
-std::vector<std::string> all_experiments() {
+Groups all_experiments() {
   std::vector<std::string> names;
   for (const Experiment& experiment : experiments()) names.emplace_back(experiment.name);
-  return names;
+  return {Group{"*", std::move(names)}};
 }
 
-std::vector<std::string> all_backends() {
-  std::vector<std::string> names;
-  for (const BackendEntry& backend : backends()) names.emplace_back(backend.about->name);
-  return names;
+Groups all_backends() {
+  std::vector<std::string> names, exact, symbolic;
+  for (const BackendEntry& backend : backends()) {
+    names.emplace_back(backend.about->name);
+    if (backend.about->exact) exact.push_back(names.back());
+  }
+  for (const BackendEntry& backend : symbolic_backends()) symbolic.emplace_back(backend.about->name);
+  return {Group{"*", std::move(names)}, Group{"exact", std::move(exact)},
+          Group{"exact+sos", std::move(symbolic)}};
 }
 
-std::vector<std::string> all_datasets() {
+Groups all_datasets() {
   std::vector<std::string> names;
   for (const Dataset& dataset : datasets()) names.emplace_back(dataset.about.name);
-  return names;
+  return {Group{"*", std::move(names)}};
 }
+
+Groups all_orders() { return {Group{"*", {order_names().begin(), order_names().end()}}}; }
 
 /// Which keys a task takes, beside order_seed, measure and repeats.
 Reads reads_of(const std::string& task) {
@@ -105,13 +116,17 @@ class Block {
   const toml::node* find(std::string_view key) const { return table_.get(key); }
 
   /// The values of a key that are names of a list; "*" is all of them.
-  std::vector<std::string> names(std::string_view key, const std::vector<std::string>& known) const {
+  std::vector<std::string> names(std::string_view key, const Groups& groups) const {
     std::vector<std::string> chosen;
     for (const toml::node* value : reader_.values(*find(key))) {
       const std::string name = reader_.text(*value, key);
-      if (name == "*") {
-        chosen.insert(chosen.end(), known.begin(), known.end());
-      } else if (std::find(known.begin(), known.end(), name) != known.end()) {
+      const auto group = std::ranges::find(groups, name, &Group::first);
+      const auto has_it = [&](const auto& other) {
+        return std::ranges::find(other.second, name) != other.second.end();
+      };
+      if (group != groups.end()) {
+        chosen.insert(chosen.end(), group->second.begin(), group->second.end());
+      } else if (std::ranges::any_of(groups, has_it)) {
         chosen.push_back(name);
       } else {
         reader_.fail(*value, "no " + std::string(key) + " is named \"" + name + "\"");
@@ -187,7 +202,7 @@ class Block {
       const auto bits = wholes("bits", 0, 53);
       axes_.push_back(axis(std::vector<int>(bits.begin(), bits.end()), &Cell::bits));
     }
-    if (find("order") != nullptr) axes_.push_back(axis(orders(), &Cell::order));
+    if (find("order") != nullptr) axes_.push_back(axis(names("order", all_orders()), &Cell::order));
     add_seeds();
     if (find("measure") != nullptr) axes_.push_back(axis(measures(), &Cell::measure));
     if (find("repeats") != nullptr) {
@@ -199,15 +214,9 @@ class Block {
     if (find("backend") != nullptr) axes_.push_back(axis(names("backend", all_backends()), &Cell::backend));
   }
 
-  std::vector<std::string> orders() const {
-    std::vector<std::string> known;
-    for (const std::string_view name : order_names()) known.emplace_back(name);
-    return names("order", known);
-  }
-
   std::vector<Measure> measures() const {
     std::vector<Measure> chosen;
-    for (const std::string& name : names("measure", {"counts", "time"}))
+    for (const std::string& name : names("measure", {Group{"*", {"counts", "time"}}}))
       chosen.push_back(name == "time" ? Measure::time : Measure::counts);
     return chosen;
   }

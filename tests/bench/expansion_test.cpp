@@ -65,6 +65,19 @@ TEST(Expansion, StarIsAllThatIsListed) {
   EXPECT_EQ(plan.cells.size(), planar_algorithms().size() * backends().size() * datasets().size());
 }
 
+TEST(Expansion, ExactBackendsHaveAWordWithAndWithoutTiesBroken) {
+  const Plan plan =
+      plan_of("[[cells]]\nalgorithm='bowyer'\nbackend=['exact','exact+sos']\ndataset='grid'\nn=9\n");
+  std::set<std::string> expected, found;
+  for (const BackendEntry& backend : backends())
+    if (backend.about->exact)
+      for (const char* suffix : {"", "+sos"}) expected.insert(std::string(backend.about->name) + suffix);
+  for (const Cell& cell : plan.cells) found.insert(cell.backend);
+  EXPECT_EQ(found, expected);
+  EXPECT_EQ(plan_of("[[cells]]\nalgorithm='bowyer'\nbackend='gmp+sos'\ndataset='grid'\nn=9\n").cells.size(),
+            1u);
+}
+
 TEST(Expansion, NoTwoCellsShareAKey) {
   const Plan plan = plan_of(R"(
     [[cells]]
