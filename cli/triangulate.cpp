@@ -85,11 +85,12 @@ Run run_method(const Method& method, const PointFile& file, const Kernel2& kerne
   const auto order = insertion_order(file.points, order_kind, seed);
   const bench::PeakMemory memory;
   const double start = bench::thread_seconds();
-  run.result = tribunal::triangulate(file.points, order, kernel, algorithm, settings);
+  run.result = tribunal::triangulate(file.points, order, kernel, algorithm, settings, file.values);
   run.seconds = bench::thread_seconds() - start;
   run.peak_bytes = memory.growth();
   if (counted)
-    tribunal::triangulate(file.points, order, CountedKernel2(kernel, run.counts), algorithm, settings);
+    tribunal::triangulate(file.points, order, CountedKernel2(kernel, run.counts), algorithm, settings,
+                          file.values);
   if (!backend.about->exact && run.result.outcome == Outcome::ok) {
     const bench::Judgement judgement = bench::judge(file.points, run.result, algorithm.about.promise);
     run.result.outcome = judgement.outcome;

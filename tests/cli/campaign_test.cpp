@@ -13,7 +13,7 @@ name = "small"
 [limits]
 seconds = 20
 [[cells]]
-algorithm = "*"
+algorithm = ["bowyer", "watson", "green-sibson"]
 backend = ["double", "filtered", "knuth"]
 dataset = ["grid", "kettner", "circle"]
 n = [5, 60]
