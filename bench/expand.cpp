@@ -36,6 +36,14 @@ std::vector<std::string> all_tasks() {
   return names;
 }
 
+/// No dataset has data by point: what reads them needs a setting of its own.
+std::vector<std::string> tasks_without_data() {
+  std::vector<std::string> names;
+  for (const PlanarAlgorithm& algorithm : planar_algorithms())
+    if (!algorithm.about.reads_values) names.emplace_back(algorithm.about.name);
+  return names;
+}
+
 std::vector<std::string> all_experiments() {
   std::vector<std::string> names;
   for (const Experiment& experiment : experiments()) names.emplace_back(experiment.name);
@@ -106,11 +114,16 @@ class Block {
 
   /// The values of a key that are names of a list; "*" is all of them.
   std::vector<std::string> names(std::string_view key, const std::vector<std::string>& known) const {
+    return names(key, known, known);
+  }
+  /// Where "*" is some of them.
+  std::vector<std::string> names(std::string_view key, const std::vector<std::string>& known,
+                                 const std::vector<std::string>& starred) const {
     std::vector<std::string> chosen;
     for (const toml::node* value : reader_.values(*find(key))) {
       const std::string name = reader_.text(*value, key);
       if (name == "*") {
-        chosen.insert(chosen.end(), known.begin(), known.end());
+        chosen.insert(chosen.end(), starred.begin(), starred.end());
       } else if (std::find(known.begin(), known.end(), name) != known.end()) {
         chosen.push_back(name);
       } else {
@@ -143,7 +156,8 @@ class Block {
     const toml::node* experiment = find("experiment");
     if ((algorithm == nullptr) == (experiment == nullptr))
       reader_.fail(table_, "cells need either an algorithm or an experiment");
-    tasks_ = algorithm != nullptr ? names("algorithm", all_tasks()) : names("experiment", all_experiments());
+    tasks_ = algorithm != nullptr ? names("algorithm", all_tasks(), tasks_without_data())
+                                  : names("experiment", all_experiments());
   }
 
   void read_datasets() {

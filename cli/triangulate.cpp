@@ -108,7 +108,8 @@ struct Run {
 void triangulate_once(const Method& method, const Input& input, std::span<const Index> order,
                       const Kernel2& kernel, Run& run) {
   if (!input.with_segments) {
-    run.result = tribunal::triangulate(input.alone.points, order, kernel, method.algorithm, method.settings);
+    run.result = tribunal::triangulate(input.alone.points, order, kernel, method.algorithm, method.settings,
+                                       input.alone.values);
     return;
   }
   run.constrained =
