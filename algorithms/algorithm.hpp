@@ -27,6 +27,7 @@ struct AlgorithmAbout {
   /// Of Delaunay algorithms: inserts site by site with strict circle tests, and so makes the same mesh and
   /// the same tau as all others that do. One that does not may decide ties otherwise, and counts no tau.
   bool incremental = true;
+  bool reads_values = false;  ///< wants data by point, unless a setting gives them
 };
 
 /// What the front door hands to an algorithm: distinct sites in insertion order, the first three not
@@ -35,7 +36,8 @@ struct PlanarProblem {
   std::span<const Point2> points;  ///< as the user gave them
   std::span<const Index> sites;    ///< indices into points, in insertion order
   const Kernel2& kernel;
-  Settings settings = {};  ///< of the algorithm's parameters, accepted
+  Settings settings = {};               ///< of the algorithm's parameters, accepted
+  std::span<const double> values = {};  ///< data by point; empty where there are none
 };
 
 struct PlanarAlgorithm {

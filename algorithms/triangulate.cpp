@@ -52,8 +52,10 @@ void connect_collinear(std::span<const Point2> points, std::vector<Index> sites,
 }  // namespace
 
 Triangulation triangulate(std::span<const Point2> points, std::span<const Index> order, const Kernel2& kernel,
-                          const PlanarAlgorithm& algorithm, const Settings& settings) {
+                          const PlanarAlgorithm& algorithm, const Settings& settings,
+                          std::span<const double> values) {
   assert(order.size() == points.size());
+  assert(values.empty() || values.size() == points.size());
   Triangulation front;
   front.reason = refuse_settings(algorithm.about.name, algorithm.parameters, settings);
   if (!front.reason.empty()) {
@@ -79,7 +81,7 @@ Triangulation triangulate(std::span<const Point2> points, std::span<const Index>
 
   Triangulation result;
   try {
-    result = algorithm.run({points, sites, kernel, settings});
+    result = algorithm.run({points, sites, kernel, settings, values});
   } catch (const Abandon& abandon) {
     result.outcome = abandon.outcome;
     result.reason = abandon.what();

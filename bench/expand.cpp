@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <optional>
 #include <unordered_set>
 #include <utility>
@@ -30,40 +31,51 @@ Axis axis(std::vector<T> values, T Cell::*field) {
   return {size, [values = std::move(values), field](Cell& cell, std::size_t i) { cell.*field = values[i]; }};
 }
 
-/// Words that stand for several names of a kind; together they have all names that there are.
-using Group = std::pair<std::string, std::vector<std::string>>;
-using Groups = std::vector<Group>;
-
-Groups all_tasks() {
+/// What a key may name, and words that stand for several names.
+struct Known {
   std::vector<std::string> names;
-  for (const PlanarAlgorithm& algorithm : planar_algorithms()) names.emplace_back(algorithm.about.name);
-  return {Group{"*", std::move(names)}};
+  std::map<std::string, std::vector<std::string>> words;
+};
+
+Known all_of(std::vector<std::string> names) { return {names, {{"*", names}}}; }
+
+/// No dataset has data by point: what reads them needs a setting of its own, and "*" leaves it out.
+Known all_tasks() {
+  Known known;
+  for (const PlanarAlgorithm& algorithm : planar_algorithms()) {
+    known.names.emplace_back(algorithm.about.name);
+    if (!algorithm.about.reads_values) known.words["*"].push_back(known.names.back());
+  }
+  return known;
 }
 
-Groups all_experiments() {
+Known all_experiments() {
   std::vector<std::string> names;
   for (const Experiment& experiment : experiments()) names.emplace_back(experiment.name);
-  return {Group{"*", std::move(names)}};
+  return all_of(std::move(names));
 }
 
-Groups all_backends() {
-  std::vector<std::string> names, exact, symbolic;
+Known all_backends() {
+  Known known;
   for (const BackendEntry& backend : backends()) {
-    names.emplace_back(backend.about->name);
-    if (backend.about->exact) exact.push_back(names.back());
+    known.names.emplace_back(backend.about->name);
+    known.words["*"].push_back(known.names.back());
+    if (backend.about->exact) known.words["exact"].push_back(known.names.back());
   }
-  for (const BackendEntry& backend : symbolic_backends()) symbolic.emplace_back(backend.about->name);
-  return {Group{"*", std::move(names)}, Group{"exact", std::move(exact)},
-          Group{"exact+sos", std::move(symbolic)}};
+  for (const BackendEntry& backend : symbolic_backends()) {
+    known.names.emplace_back(backend.about->name);
+    known.words["exact+sos"].push_back(known.names.back());
+  }
+  return known;
 }
 
-Groups all_datasets() {
+Known all_datasets() {
   std::vector<std::string> names;
   for (const Dataset& dataset : datasets()) names.emplace_back(dataset.about.name);
-  return {Group{"*", std::move(names)}};
+  return all_of(std::move(names));
 }
 
-Groups all_orders() { return {Group{"*", {order_names().begin(), order_names().end()}}}; }
+Known all_orders() { return all_of({order_names().begin(), order_names().end()}); }
 
 /// Which keys a task takes, beside order_seed, measure and repeats.
 Reads reads_of(const std::string& task) {
@@ -115,22 +127,18 @@ class Block {
  private:
   const toml::node* find(std::string_view key) const { return table_.get(key); }
 
-  /// The values of a key that are names of a list; "*" is all of them.
-  std::vector<std::string> names(std::string_view key, const Groups& groups) const {
+  /// The values of a key that are names, or words for several.
+  std::vector<std::string> names(std::string_view key, const Known& known) const {
     std::vector<std::string> chosen;
     for (const toml::node* value : reader_.values(*find(key))) {
       const std::string name = reader_.text(*value, key);
-      const auto group = std::ranges::find(groups, name, &Group::first);
-      const auto has_it = [&](const auto& other) {
-        return std::ranges::find(other.second, name) != other.second.end();
-      };
-      if (group != groups.end()) {
-        chosen.insert(chosen.end(), group->second.begin(), group->second.end());
-      } else if (std::ranges::any_of(groups, has_it)) {
+      const auto word = known.words.find(name);
+      if (word != known.words.end())
+        chosen.insert(chosen.end(), word->second.begin(), word->second.end());
+      else if (std::ranges::find(known.names, name) != known.names.end())
         chosen.push_back(name);
-      } else {
+      else
         reader_.fail(*value, "no " + std::string(key) + " is named \"" + name + "\"");
-      }
     }
     return chosen;
   }
@@ -216,7 +224,7 @@ class Block {
 
   std::vector<Measure> measures() const {
     std::vector<Measure> chosen;
-    for (const std::string& name : names("measure", {Group{"*", {"counts", "time"}}}))
+    for (const std::string& name : names("measure", all_of({"counts", "time"})))
       chosen.push_back(name == "time" ? Measure::time : Measure::counts);
     return chosen;
   }

@@ -163,6 +163,17 @@ class CommandLine {
     verb->add_option("--backend", sign_options.backends, "only this backend; may be repeated")
         ->allow_extra_args(false);
   }
+  static void add_picture(CLI::App* verb, PictureOptions& o) {
+    verb->add_option("--picture", o.file, "picture of the mesh: .svg or .png");
+    verb->add_option("--colour", o.colour, "of its triangles: plain, angle, smallest-angle or field")
+        ->capture_default_str();
+    verb->add_option("--field", o.field, "what field and contours show: column or F1 to F6");
+    verb->add_option("--contours", o.contours, "this many contour lines of the field")
+        ->check(check_whole_number)
+        ->check(CLI::Range(0, 100));
+    verb->add_option("--window", o.window, "show x0,y0,x1,y1 only");
+    verb->add_option("--against", o.against, "mark the edges that this mesh over the same points lacks");
+  }
   void add_triangulate() {
     auto& o = triangulate_options;
     auto* verb = add_verb("triangulate", "triangulate a file of points",
@@ -180,7 +191,7 @@ class CommandLine {
     add_size(verb, o.n);
     verb->add_option("-o,--output", o.mesh, "mesh file: .off or .ele");
     verb->add_option("--stats", o.stats, "statistics as JSON");
-    verb->add_option("--picture", o.picture, "picture: .svg");
+    add_picture(verb, o.picture);
   }
   void add_verify() {
     auto* verb = add_verb("verify", "check a mesh exactly", "tribunal verify points.xy mesh.off",
@@ -200,13 +211,14 @@ class CommandLine {
                           tribunal::cli::optimize);
     verb->add_option("points", o.points, "the points of the mesh")->required();
     verb->add_option("mesh", o.mesh, "the mesh: .off or .ele")->required();
-    verb->add_option("--criterion", o.criterion, "delaunay, minmax, or minmax-global")->capture_default_str();
+    verb->add_option("--criterion", o.criterion, "delaunay, minmax, minmax-global or data-dependent")
+        ->capture_default_str();
     verb->add_option("--set", o.settings, "a parameter of the flips, NAME=VALUE; may be repeated")
         ->allow_extra_args(false);
     verb->add_option("--backend", o.backend, "see tribunal list backends")->capture_default_str();
     verb->add_option("-o,--output", o.output, "mesh file: .off or .ele");
     verb->add_option("--stats", o.stats, "statistics as JSON");
-    verb->add_option("--picture", o.picture, "picture: .svg");
+    add_picture(verb, o.picture);
   }
   void add_bench() {
     auto& o = bench_options;

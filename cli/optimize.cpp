@@ -8,9 +8,9 @@
 #include "bench/measure.hpp"
 #include "cli/lookup.hpp"
 #include "cli/mesh_input.hpp"
+#include "cli/picture.hpp"
 #include "cli/predicate_counts.hpp"
 #include "cli/verbs.hpp"
-#include "datasets/files/picture.hpp"
 #include "datasets/files/text.hpp"
 
 #include <filesystem>
@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 void check_outputs(const OptimizeOptions& options, const Console& console) {
   if (console.json && (options.output == "-" || options.stats == "-"))
     throw BadUsage("--json and another output both want standard output");
-  if (!options.picture.empty()) require_picture_ending(options.picture);
+  check_picture(options.picture);
   if (options.output.empty() || options.output == "-") return;
   std::error_code none;
   for (const fs::path& file : mesh_files(options.output))
@@ -123,6 +123,7 @@ int optimize(const OptimizeOptions& options, Console& console) {
   if (optimizer.reads_values && input.points.values.empty())
     throw BadInput(options.points + ": criterion " + options.criterion +
                    " reads data values from the third column, and there is none");
+  const Picture picture(options.picture, options.points, input.points, settings);
   require_triangulation(options, input);
   const Kernel2Binding bound = backend.bind2(input.points.points);
   if (const auto* refusal = std::get_if<Refusal>(&bound))
@@ -155,8 +156,7 @@ int optimize(const OptimizeOptions& options, Console& console) {
   if (!good_mesh) console.log << to_string(result.outcome) << ": " << result.reason << '\n';
   if (good_mesh && !options.output.empty())
     write_mesh(options.output, input.points.points, result.mesh.triangles);
-  if (good_mesh && !options.picture.empty())
-    write_picture(options.picture, input.points.points, result.mesh.triangles);
+  if (good_mesh) picture.draw(input.points.points, result.mesh.triangles);
   if (!console.json) print_summary(options, stats, console);
   return good_mesh ? good : judged_bad;
 }

@@ -2,16 +2,17 @@
 #include "algorithms/triangulate.hpp"
 
 #include "algorithms/constrained/parameters.hpp"
+#include "algorithms/data_dependent/parameters.hpp"
 #include "algorithms/mesh/canonical.hpp"
 #include "algorithms/verify/verify.hpp"
 #include "bench/judge.hpp"
 #include "bench/measure.hpp"
 #include "cli/graph_input.hpp"
 #include "cli/lookup.hpp"
+#include "cli/picture.hpp"
 #include "cli/predicate_counts.hpp"
 #include "cli/verbs.hpp"
 #include "datasets/files/files.hpp"
-#include "datasets/files/picture.hpp"
 #include "datasets/files/text.hpp"
 #include "predicates/counted.hpp"
 
@@ -60,7 +61,7 @@ void check_outputs(const TriangulateOptions& options, const Console& console) {
     throw BadUsage("-n goes with a dataset's name, not with a file");
   if (console.json && (options.mesh == "-" || options.stats == "-"))
     throw BadUsage("--json and another output both want standard output");
-  if (!options.picture.empty()) require_picture_ending(options.picture);
+  check_picture(options.picture);
   if (options.mesh.empty() || options.mesh == "-") return;
   std::error_code none;
   std::vector<fs::path> files = mesh_files(options.mesh);
@@ -90,6 +91,15 @@ Input input_of(const TriangulateOptions& options, const Method& method) {
   return input;
 }
 
+/// An algorithm that reads data finds them.
+void require_values(const Method& method, const Input& input, const std::string& file) {
+  if (!method.algorithm.about.reads_values || !input.points().values.empty()) return;
+  if (choice(method.settings, data_parameter) == third_column)
+    throw BadInput(
+        file + ": " + std::string(method.algorithm.about.name) +
+        " reads data values from the third column, and there is none (--set data=F1 takes a function)");
+}
+
 /// "coast.xy:17: knuth: ...": where the refused point stands and why it is refused.
 std::string describe(const Refusal& refusal, const PointFile& file, const TriangulateOptions& options) {
   const std::string place = refusal.point < file.lines.size() ? std::to_string(file.lines[refusal.point])
@@ -108,7 +118,8 @@ struct Run {
 void triangulate_once(const Method& method, const Input& input, std::span<const Index> order,
                       const Kernel2& kernel, Run& run) {
   if (!input.with_segments) {
-    run.result = tribunal::triangulate(input.alone.points, order, kernel, method.algorithm, method.settings);
+    run.result = tribunal::triangulate(input.alone.points, order, kernel, method.algorithm, method.settings,
+                                       input.alone.values);
     return;
   }
   run.constrained =
@@ -218,16 +229,16 @@ void report_duplicates(const PointFile& file, const Triangulation& t, const Tria
 }
 
 /// Mesh and picture. Beside an .ele with its .node goes a .poly with the segments.
-void write_outputs(const TriangulateOptions& options, const Input& input, const Run& run) {
+void write_outputs(const TriangulateOptions& options, const Input& input, const Run& run,
+                   const Picture& picture) {
   const auto& points = input.points().points;
   const bool with_segments = input.with_segments.has_value();
   if (!options.mesh.empty()) write_mesh(options.mesh, points, run.result.triangles);
   if (!options.mesh.empty() && with_segments && mesh_files(options.mesh).size() > 1)
     write_poly(poly_beside(options.mesh), input.with_segments->file.segments,
                input.with_segments->file.holes);
-  if (!options.picture.empty())
-    write_picture(options.picture, points, run.result.triangles,
-                  with_segments ? run.constrained->constraints : std::vector<Edge>{});
+  picture.draw(points, run.result.triangles,
+               with_segments ? run.constrained->constraints : std::vector<Edge>{});
 }
 
 }  // namespace
@@ -236,6 +247,8 @@ int triangulate(const TriangulateOptions& options, Console& console) {
   const Method method = method_of(options);
   check_outputs(options, console);
   const Input input = input_of(options, method);
+  require_values(method, input, options.points);
+  const Picture picture(options.picture, options.points, input.points(), method.settings);
 
   Run run;
   const Kernel2Binding bound = method.backend.bind2(input.points().points);
@@ -260,7 +273,7 @@ int triangulate(const TriangulateOptions& options, Console& console) {
   if (result.outcome == Outcome::out_of_domain || result.outcome == Outcome::refused_input)
     throw BadInput(result.reason);
   if (result.outcome == Outcome::ok)
-    write_outputs(options, input, run);
+    write_outputs(options, input, run, picture);
   else
     console.log << to_string(result.outcome) << ": " << result.reason << '\n';
   const bool piped = options.mesh == "-" || options.stats == "-";

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cli/console.hpp"
+#include "cli/picture.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -42,7 +43,7 @@ struct TriangulateOptions {
   std::uint64_t n = 0;  ///< where `points` is a dataset's name; 0: as in PointsOptions
   std::string mesh;     ///< output file; empty: none
   std::string stats;    ///< statistics as JSON; empty: none
-  std::string picture;  ///< .svg; empty: none
+  PictureOptions picture;
 };
 int triangulate(const TriangulateOptions& options, Console& console);
 
@@ -60,7 +61,7 @@ struct OptimizeOptions {
   std::vector<std::string> settings;  ///< NAME=VALUE, of flips
   std::string output;                 ///< mesh file; empty: none
   std::string stats;                  ///< statistics as JSON; empty: none
-  std::string picture;                ///< .svg; empty: none
+  PictureOptions picture;
 };
 int optimize(const OptimizeOptions& options, Console& console);
 

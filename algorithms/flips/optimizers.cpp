@@ -1,5 +1,7 @@
 #include "algorithms/flips/optimizers.hpp"
 
+#include "algorithms/data_dependent/optimize.hpp"
+#include "algorithms/data_dependent/parameters.hpp"
 #include "algorithms/flips/delaunay_criterion.hpp"
 #include "algorithms/flips/min_max_criterion.hpp"
 #include "algorithms/flips/minmax_edge_insertion.hpp"
@@ -38,6 +40,15 @@ OptimizedMesh insert_edges(const MeshProblem& problem) {
            {"ears", counts.ears}}};
 }
 
+constexpr std::array surface_parameters{cost_parameter, norm_parameter, search_parameter,
+                                        flip_seed_parameter};
+
+OptimizedMesh smooth_surface(const MeshProblem& problem) {
+  EdgeMesh mesh(problem.triangles);
+  const FlipCounts counts = flip_for_data(problem.sites, mesh, problem.values, problem.settings);
+  return {mesh.triangles(), {{"flips", counts.flips}, {"tests", counts.tests}, {"sweeps", counts.sweeps}}};
+}
+
 constexpr std::array optimizers{
     MeshOptimizer{.name = "delaunay",
                   .cites = "Lawson 1977; Barth section 3.3d",
@@ -52,7 +63,13 @@ constexpr std::array optimizers{
     MeshOptimizer{.name = "minmax-global",
                   .cites = "Edelsbrunner, Tan, Waupotitsch 1992",
                   .summary = "edges inserted where they break the largest angle: the smallest there can be",
-                  .run = insert_edges}};
+                  .run = insert_edges},
+    MeshOptimizer{.name = "data-dependent",
+                  .cites = "Dyn, Levin, Rippa 1990; Barth section 3.4",
+                  .summary = "flips that make the surface over the points less rough",
+                  .reads_values = true,
+                  .parameters = surface_parameters,
+                  .run = smooth_surface}};
 
 }  // namespace
 

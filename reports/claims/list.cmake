@@ -63,4 +63,11 @@ set(tribunal_claims
     G4-early
     G4-gilbert
     G5
-    G6)
+    G6
+    D1
+    D2
+    D3
+    D4
+    D5
+    D6
+    D7)

@@ -15,6 +15,14 @@
 
 namespace tribunal {
 
+/// Data for an algorithm that reads them: a saddle, of any size.
+inline std::vector<double> values_for(const std::vector<Point2>& points, const PlanarAlgorithm& algorithm) {
+  std::vector<double> values;
+  if (!algorithm.about.reads_values) return values;
+  for (const Point2& p : points) values.push_back(p[0] * p[1]);
+  return values;
+}
+
 inline Triangulation run(const std::vector<Point2>& points, const PlanarAlgorithm& algorithm,
                          std::string_view backend = "gmp", Order order = Order::random,
                          std::uint64_t seed = 1, const Settings& settings = {}) {
@@ -25,7 +33,8 @@ inline Triangulation run(const std::vector<Point2>& points, const PlanarAlgorith
     refused.reason = refusal->reason;
     return refused;
   }
-  return triangulate(points, insertion_order(points, order, seed), *std::get<0>(bound), algorithm, settings);
+  return triangulate(points, insertion_order(points, order, seed), *std::get<0>(bound), algorithm, settings,
+                     values_for(points, algorithm));
 }
 
 inline verify::Verdict check(const std::vector<Point2>& points, const Triangulation& t,
