@@ -62,7 +62,11 @@ TEST(Expansion, OrderSeedFollowsTheSeedUnlessGiven) {
 
 TEST(Expansion, StarIsAllThatIsListed) {
   const Plan plan = plan_of("[[cells]]\nalgorithm='*'\nbackend='*'\ndataset='*'\nn=9\n");
-  EXPECT_EQ(plan.cells.size(), planar_algorithms().size() * backends().size() * datasets().size());
+  // But for algorithms that need data, which datasets have none of.
+  std::size_t algorithms = 0;
+  for (const PlanarAlgorithm& algorithm : planar_algorithms()) algorithms += !algorithm.about.reads_values;
+  EXPECT_LT(algorithms, planar_algorithms().size());
+  EXPECT_EQ(plan.cells.size(), algorithms * backends().size() * datasets().size());
 }
 
 TEST(Expansion, ExactBackendsHaveAWordWithAndWithoutTiesBroken) {
