@@ -5,13 +5,13 @@
 // `steepness`; the Delaunay triangulation, flipped as the text's loops do by the cost and norm chosen. Before
 // each flip and after it all costs are computed anew.
 //
-// Counters: `runs` (1); `edges` (inner ones looked at, before the first flip); `jump_apart` (largest difference between
-// JND and the length of the gradients' difference, relative to the sum of the gradients' lengths);
-// `jump_scaled` (the same where the normal is as long as the edge and not of length 1); `obtuse` (edges whose
-// normals make an angle of more than 90 degrees), `widest` (the largest, in degrees); of the flips: `flips`,
-// `most_changed` (edges whose cost one of them changed, at most), `local_apart` (largest difference between
-// the change of the five costs and that of the sum of all, relative to that sum), `rises` (flips after which
-// the sum, added up anew, was not smaller by more than its rounding would hide).
+// Counters: `runs` (1); `edges` (inner ones looked at, before the first flip); `jump_apart` (largest
+// difference between JND and the length of the gradients' difference, relative to the sum of the gradients'
+// lengths); `jump_scaled` (the same where the normal is as long as the edge and not of length 1); `obtuse`
+// (edges whose normals make an angle of more than 90 degrees), `widest` (the largest, in degrees); of the
+// flips: `flips`, `most_changed` (edges whose cost one of them changed, at most), `local_apart` (largest
+// difference between the change of the five costs and that of the sum of all, relative to that sum), `rises`
+// (flips after which the sum, added up anew, was not smaller by more than its rounding would hide).
 #include "algorithms/data_dependent/parameters.hpp"
 #include "algorithms/data_dependent/roughness_criterion.hpp"
 #include "bench/experiments/franke_data.hpp"

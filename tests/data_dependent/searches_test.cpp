@@ -34,7 +34,9 @@ TEST(Searches, EndInLocalOptima) {
           EXPECT_GT(counts.flips, 0U);
           EXPECT_FALSE(improves_by_one_flip({sites, mesh, roughness}));
           // Annealing may climb; the others never do.
-          if (search != "annealing") EXPECT_LT(roughness.total(mesh), before);
+          if (search != "annealing") {
+            EXPECT_LT(roughness.total(mesh), before);
+          }
           const auto triangles = mesh.triangles();
           const auto verdict =
               verify::verify_planar(scatter.points, {triangles}, {.kind = verify::Kind::triangulation});
