@@ -81,9 +81,18 @@ std::vector<std::string> each_once(std::span<const std::string> names) {
   return once;
 }
 
+namespace {
+std::uint64_t usual_size(const Dataset& dataset) {
+  return dataset.about.fixed_size ? dataset.about.fixed_size : 1000;
+}
+}  // namespace
+
 std::vector<Point2> generate(const Dataset& dataset, std::uint64_t n, std::uint64_t seed) {
-  const std::uint64_t usual = dataset.about.fixed_size ? dataset.about.fixed_size : 1000;
-  return dataset.generate(n ? n : usual, seed);
+  return dataset.generate(n ? n : usual_size(dataset), seed);
+}
+
+DatasetGraph generate_graph(const Dataset& dataset, std::uint64_t n, std::uint64_t seed) {
+  return dataset.graph(n ? n : usual_size(dataset), seed);
 }
 
 }  // namespace tribunal::cli

@@ -36,4 +36,7 @@ std::vector<std::string> each_once(std::span<const std::string> names);
 /// n points of the dataset; n = 0: all of one of fixed size, 1000 of any other.
 std::vector<Point2> generate(const Dataset& dataset, std::uint64_t n, std::uint64_t seed);
 
+/// The same with segments, of a dataset that has any.
+DatasetGraph generate_graph(const Dataset& dataset, std::uint64_t n, std::uint64_t seed);
+
 }  // namespace tribunal::cli

@@ -149,7 +149,9 @@ class CommandLine {
         ->capture_default_str();
     verb->add_option("--bits", points_options.bits, "quantise to integers in [0, 2^bits)")
         ->check(check_whole_number);
-    verb->add_option("-o,--output", points_options.output, ".xy .csv .node .off, or - for standard output")
+    verb->add_option("-o,--output", points_options.output,
+                     ".xy .csv .node .off, .poly with the segments of a dataset that has any, or - for "
+                     "standard output")
         ->capture_default_str();
   }
   void add_sign(std::vector<std::string> numbers) {
