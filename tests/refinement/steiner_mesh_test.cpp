@@ -97,15 +97,19 @@ bool operate(SteinerMesh& mesh, Random& random) {
   return true;
 }
 
-/// Whether q is the double point nearest to somewhere on the segment ab: the segment meets the box of what
-/// rounds to q.
+double neighbour(double x, double towards, int steps) {
+  for (; steps > 0; --steps) x = std::nextafter(x, towards);
+  return x;
+}
+
+/// Whether the segment ab comes within two and a half doubles of q, in x and in y.
 bool rounds_to(Point2 a, Point2 b, Point2 q) {
   mpq_class first = 0, last = 1;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double up = std::nextafter(q[axis], std::numeric_limits<double>::infinity());
-    const double down = std::nextafter(q[axis], -std::numeric_limits<double>::infinity());
-    const mpq_class low = (mpq_class(q[axis]) + mpq_class(down)) / 2,
-                    high = (mpq_class(q[axis]) + mpq_class(up)) / 2;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const mpq_class high = (mpq_class(neighbour(q[axis], infinity, 2)) + neighbour(q[axis], infinity, 3)) / 2;
+    const mpq_class low =
+        (mpq_class(neighbour(q[axis], -infinity, 2)) + neighbour(q[axis], -infinity, 3)) / 2;
     const mpq_class from(a[axis]), way = mpq_class(b[axis]) - from;
     if (way == 0) {
       if (from < low || high < from) return false;
