@@ -55,10 +55,11 @@ json list_backends() {
 
 json list_datasets() {
   json all = json::array();
-  for (const auto& [about, generate] : datasets())
+  for (const auto& [about, generate, graph] : datasets())
     all.push_back({{"name", about.name},
                    {"points", about.fixed_size ? json(about.fixed_size) : json("n")},
                    {"integer", about.integer},
+                   {"segments", graph != nullptr},
                    {"cites", about.cites},
                    {"summary", about.summary}});
   return all;

@@ -59,6 +59,11 @@ const MeshOptimizer& optimizer_named(const std::string& name) {
   refuse("criterion", name, mesh_optimizers(), [](const auto& o) { return o.name; });
 }
 
+const refinement::Refiner& refiner_named(const std::string& name) {
+  if (const auto* found = refinement::find_refiner(name)) return *found;
+  refuse("algorithm", name, refinement::refiners(), [](const auto& r) { return r.name; });
+}
+
 Settings settings_for(std::string_view owner, std::span<const Parameter> parameters,
                       const std::vector<std::string>& texts) {
   Settings settings;
@@ -81,9 +86,18 @@ std::vector<std::string> each_once(std::span<const std::string> names) {
   return once;
 }
 
+namespace {
+std::uint64_t usual_size(const Dataset& dataset) {
+  return dataset.about.fixed_size ? dataset.about.fixed_size : 1000;
+}
+}  // namespace
+
 std::vector<Point2> generate(const Dataset& dataset, std::uint64_t n, std::uint64_t seed) {
-  const std::uint64_t usual = dataset.about.fixed_size ? dataset.about.fixed_size : 1000;
-  return dataset.generate(n ? n : usual, seed);
+  return dataset.generate(n ? n : usual_size(dataset), seed);
+}
+
+DatasetGraph generate_graph(const Dataset& dataset, std::uint64_t n, std::uint64_t seed) {
+  return dataset.graph(n ? n : usual_size(dataset), seed);
 }
 
 }  // namespace tribunal::cli

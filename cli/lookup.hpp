@@ -3,6 +3,7 @@
 
 #include "algorithms/algorithm.hpp"
 #include "algorithms/flips/optimizers.hpp"
+#include "algorithms/refinement/refiners.hpp"
 #include "datasets/dataset.hpp"
 #include "datasets/queries/queries.hpp"
 #include "predicates/backends/backend.hpp"
@@ -24,6 +25,7 @@ Order order_named(const std::string& name);
 Predicate predicate_named(const std::string& name);
 const QueryFamily& query_family_named(const std::string& name);
 const MeshOptimizer& optimizer_named(const std::string& name);
+const refinement::Refiner& refiner_named(const std::string& name);
 
 /// "name=value" texts as settings that `owner` takes, which has these parameters. Throws BadUsage for what is
 /// none, and for a name that comes twice.
@@ -35,5 +37,8 @@ std::vector<std::string> each_once(std::span<const std::string> names);
 
 /// n points of the dataset; n = 0: all of one of fixed size, 1000 of any other.
 std::vector<Point2> generate(const Dataset& dataset, std::uint64_t n, std::uint64_t seed);
+
+/// The same with segments, of a dataset that has any.
+DatasetGraph generate_graph(const Dataset& dataset, std::uint64_t n, std::uint64_t seed);
 
 }  // namespace tribunal::cli

@@ -83,6 +83,7 @@ class CommandLine {
     add_triangulate();
     add_verify();
     add_optimize();
+    add_refine();
     add_try();
     add_bench();
     add_fuzz();
@@ -149,7 +150,9 @@ class CommandLine {
         ->capture_default_str();
     verb->add_option("--bits", points_options.bits, "quantise to integers in [0, 2^bits)")
         ->check(check_whole_number);
-    verb->add_option("-o,--output", points_options.output, ".xy .csv .node .off, or - for standard output")
+    verb->add_option("-o,--output", points_options.output,
+                     ".xy .csv .node .off, .poly with the segments of a dataset that has any, or - for "
+                     "standard output")
         ->capture_default_str();
   }
   void add_sign(std::vector<std::string> numbers) {
@@ -219,6 +222,20 @@ class CommandLine {
     verb->add_option("-o,--output", o.output, "mesh file: .off or .ele");
     verb->add_option("--stats", o.stats, "statistics as JSON");
     add_picture(verb, o.picture);
+  }
+  void add_refine() {
+    auto& o = refine_options;
+    auto* verb = add_verb("refine", "mesh what a boundary encloses, with points of its own",
+                          "tribunal refine gulf.poly --set angle=30 --set size=500 -o gulf.ele", o,
+                          tribunal::cli::refine);
+    verb->add_option("boundary", o.boundary, "segments and holes: .poly, .geojson or .wkt")->required();
+    verb->add_option("--algorithm", o.algorithm, "chew")->capture_default_str();
+    verb->add_option("--set", o.settings, "a parameter of the algorithm, NAME=VALUE; may be repeated")
+        ->allow_extra_args(false);
+    verb->add_option("--backend", o.backend, "see tribunal list backends")->capture_default_str();
+    verb->add_option("-o,--output", o.output, "mesh file: .ele, with .node and .poly beside it, or .off");
+    verb->add_option("--stats", o.stats, "statistics as JSON");
+    verb->add_option("--picture", o.picture, "picture: .svg");
   }
   void add_bench() {
     auto& o = bench_options;
@@ -360,6 +377,7 @@ class CommandLine {
   TriangulateOptions triangulate_options;
   VerifyOptions verify_options;
   OptimizeOptions optimize_options;
+  RefineOptions refine_options;
   BenchOptions bench_options;
   TryOptions try_options;
   FuzzOptions fuzz_options;

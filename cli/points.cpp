@@ -2,19 +2,51 @@
 #include "cli/lookup.hpp"
 #include "cli/verbs.hpp"
 #include "datasets/files/files.hpp"
+#include "datasets/files/pslg.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
+
 namespace tribunal::cli {
+namespace {
+
+bool is_poly(const std::string& path) { return std::filesystem::path(path).extension() == ".poly"; }
+
+/// Brings the graph to the lattice; segments that it leaves without length go.
+void quantise_graph(DatasetGraph& graph, int bits) {
+  const std::size_t size = graph.points.size();
+  graph.points.insert(graph.points.end(), graph.holes.begin(), graph.holes.end());
+  graph.points = quantise(graph.points, bits);
+  graph.holes.assign(graph.points.begin() + static_cast<std::ptrdiff_t>(size), graph.points.end());
+  graph.points.resize(size);
+  std::erase_if(graph.segments, [&](const auto& s) { return graph.points[s[0]] == graph.points[s[1]]; });
+}
+
+/// A .poly with the .node file beside that holds its points.
+int write_graph(const PointsOptions& options, const Dataset& dataset, Console& console) {
+  DatasetGraph graph = generate_graph(dataset, options.n, options.seed);
+  if (options.bits != 0) quantise_graph(graph, options.bits);
+  write_points(std::filesystem::path(options.output).replace_extension(".node"), graph.points);
+  write_poly(options.output, graph.segments, graph.holes);
+  if (console.json)
+    print_json(console, {{"dataset", options.dataset},
+                         {"seed", options.seed},
+                         {"n", graph.points.size()},
+                         {"segments", graph.segments.size()},
+                         {"file", options.output}});
+  return good;
+}
+
+}  // namespace
 
 int points(const PointsOptions& options, Console& console) {
   const Dataset& dataset = dataset_named(options.dataset);
+  if (options.bits < 0 || options.bits > 53)
+    throw BadUsage("--bits " + std::to_string(options.bits) + ": a lattice has 1 to 53 bits");
+  if (dataset.graph != nullptr && is_poly(options.output)) return write_graph(options, dataset, console);
   std::vector<Point2> sites = generate(dataset, options.n, options.seed);
-  if (options.bits != 0) {
-    if (options.bits < 1 || options.bits > 53)
-      throw BadUsage("--bits " + std::to_string(options.bits) + ": a lattice has 1 to 53 bits");
-    sites = quantise(sites, options.bits);
-  }
+  if (options.bits != 0) sites = quantise(sites, options.bits);
   if (console.json && options.output == "-") {
     nlohmann::json coordinates = nlohmann::json::array();
     for (const Point2& p : sites) coordinates.push_back({p[0], p[1]});

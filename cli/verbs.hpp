@@ -65,6 +65,17 @@ struct OptimizeOptions {
 };
 int optimize(const OptimizeOptions& options, Console& console);
 
+struct RefineOptions {
+  std::string boundary;
+  std::string algorithm = "chew";
+  std::string backend = "filtered";
+  std::vector<std::string> settings;  ///< NAME=VALUE, of the algorithm
+  std::string output;                 ///< mesh file; empty: none
+  std::string stats;                  ///< statistics as JSON; empty: none
+  std::string picture;                ///< .svg; empty: none
+};
+int refine(const RefineOptions& options, Console& console);
+
 struct BenchOptions {
   std::string what;                               ///< predicates or algorithms
   std::vector<std::string> backends;              ///< empty: all predicates', filtered for algorithms

@@ -3,6 +3,7 @@
 
 #include "predicates/point.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -19,10 +20,20 @@ struct DatasetAbout {
   bool integer;              ///< coordinates are integers as generated
 };
 
+/// A planar straight-line graph: points, segments between them by index, and a point inside each hole.
+struct DatasetGraph {
+  std::vector<Point2> points;
+  std::vector<std::array<std::uint32_t, 2>> segments;
+  std::vector<Point2> holes;
+};
+
 struct Dataset {
   DatasetAbout about;
   /// n points, n >= 1, or as many as the summary says; same (n, seed), same bytes.
   std::vector<Point2> (*generate)(std::uint64_t n, std::uint64_t seed);
+  /// A domain whose boundary they are, or lie in, of about n points; null where there is none. No segments
+  /// cross.
+  DatasetGraph (*graph)(std::uint64_t n, std::uint64_t seed) = nullptr;
 };
 
 /// All datasets, in the order in which they are listed to users.

@@ -32,6 +32,12 @@ std::vector<Point2> generate(std::uint64_t n, std::uint64_t) {
   points.resize(std::min<std::uint64_t>(n, points.size()));
   return points;
 }
+
+DatasetGraph graph(std::uint64_t n, std::uint64_t seed) {
+  DatasetGraph graph{generate(n, seed), read_pairs("segments"), {}};
+  std::erase_if(graph.segments, [n](const auto& segment) { return segment[1] >= n; });
+  return graph;
+}
 }  // namespace
 
 std::vector<std::array<std::uint32_t, 2>> coast_segments() { return read_pairs("segments"); }
@@ -43,6 +49,7 @@ constinit const Dataset generators::coast{
               .fixed_size = size,
               .integer = true},
     .generate = generate,
+    .graph = graph,
 };
 
 }  // namespace tribunal

@@ -36,7 +36,7 @@ bool is_integer(double c) { return c == std::floor(c) && std::fabs(c) <= 0x1p53;
 class EveryDataset : public ::testing::TestWithParam<Dataset> {};
 
 TEST_P(EveryDataset, GivesThePointsAskedFor) {
-  const auto& [about, generator] = GetParam();
+  const auto& [about, generator, graph] = GetParam();
   for (const std::uint64_t n : {1, 2, 3, 4, 5, 17, 100}) {
     const std::uint64_t expected = about.name == "lawson-worst-case" && n > 3 ? n / 4 * 4 : n;
     EXPECT_EQ(generator(n, 1).size(), expected) << n;
@@ -70,7 +70,7 @@ TEST_P(EveryDataset, IsFoundByItsNameAndDescribed) {
 }
 
 TEST_P(EveryDataset, OfFixedSizeEndsThere) {
-  const auto& [about, generator] = GetParam();
+  const auto& [about, generator, graph] = GetParam();
   if (about.fixed_size > 0) {
     EXPECT_EQ(generator(about.fixed_size, 1).size(), about.fixed_size);
     EXPECT_EQ(generator(about.fixed_size + 1000, 1).size(), about.fixed_size);

@@ -47,6 +47,10 @@ TEST(Golden, EveryDatasetOf1000PointsAndSeed1) {
       {"mixed-exponents", 0xAE1F03DCC2F1939C},
       {"lawson-worst-case", 0xD1945EB9DEF9218C},
       {"trailing-edge", 0xC9377CC942738106},
+      {"trailing-edge-blunt", 0xE61CF6144A321DDA},
+      {"aerofoil", 0x600EBF64CFBBB190},
+      {"aerofoil-blunt", 0xA0708C8BC027E926},
+      {"high-lift", 0x2C0F10A1A4636941},
       {"counties", 0xB5581ECB16857172},
       {"coast", 0x8069EEEF0101386B},
   };
