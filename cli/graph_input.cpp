@@ -7,18 +7,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
-#include <filesystem>
 #include <numeric>
 
 namespace tribunal::cli {
 namespace {
 constexpr std::array<std::string_view, 3> domain_names{"hull", "carved", "even-odd"};
-
-bool is_poly(const std::string& path) {
-  const std::string ending = std::filesystem::path(path).extension().string();
-  return ending == ".poly" || ending == ".POLY";
-}
 
 void split(GraphInput& input) {
   SplitGraph pieces = split_crossings(input.graph());
@@ -39,19 +34,14 @@ std::string GraphInput::place(Index segment) const {
 
 std::string_view to_string(Domain domain) { return domain_names[static_cast<std::size_t>(domain)]; }
 
-Domain domain_of(const std::string& path, const PslgFile& file) {
-  return file.polygons ? Domain::even_odd : is_poly(path) ? Domain::carved : Domain::hull;
-}
-
-Domain domain_named(const std::string& name, const std::string& path, const PslgFile& file) {
-  if (name == "auto") return domain_of(path, file);
-  for (std::size_t i = 0; i < domain_names.size(); ++i)
-    if (domain_names[i] == name) return static_cast<Domain>(i);
+Domain domain_named(const std::string& name, const PslgFile& file) {
+  const auto found = std::ranges::find(domain_names, name == "auto" ? file.domain : name);
+  if (found != domain_names.end()) return static_cast<Domain>(found - domain_names.begin());
   throw BadUsage("there is no domain '" + name + "'; there are hull, carved, even-odd, auto");
 }
 
 GraphInput graph_input(std::string path, PslgFile file, const Settings& settings) {
-  const Domain domain = constrained::domain(settings).value_or(domain_of(path, file));
+  const Domain domain = constrained::domain(settings).value_or(domain_named("auto", file));
   GraphInput input{std::move(path), std::move(file), {}, domain};
   input.origin.resize(input.file.segments.size());
   std::iota(input.origin.begin(), input.origin.end(), Index{0});
@@ -74,7 +64,9 @@ std::string describe(const GraphInput& input, const ConstrainedTriangulation& re
            refused.mesh.reason;
   if (refused.open_end && *refused.open_end < input.file.sites.lines.size())
     return input.path + ":" + std::to_string(input.file.sites.lines[*refused.open_end]) +
-           ": an open loop ends at this point, and the domain is to be bounded by closed ones";
+           ": an open loop ends at this point, and the domain is to be bounded by closed ones (a carved one "
+           "may " +
+           "have segments that end inside)";
   return input.path + ": " + refused.mesh.reason;
 }
 

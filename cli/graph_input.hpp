@@ -24,11 +24,8 @@ struct GraphInput {
   std::string place(Index segment) const;
 };
 
-/// Which part of the plane a file's segments mean where nobody says: polygons go by the even-odd rule, a
-/// .poly is carved, lines leave the whole hull.
-Domain domain_of(const std::string& path, const PslgFile& file);
-/// hull, carved, even-odd or auto; throws BadUsage.
-Domain domain_named(const std::string& name, const std::string& path, const PslgFile& file);
+/// hull, carved, even-odd or auto, which is what the file's segments mean; throws BadUsage.
+Domain domain_named(const std::string& name, const PslgFile& file);
 std::string_view to_string(Domain domain);
 
 /// What the settings of `constrained` make of a file. Throws BadInput where crossings cannot be split.

@@ -8,9 +8,11 @@
 #include "bench/measure.hpp"
 #include "cli/lookup.hpp"
 #include "cli/mesh_input.hpp"
+#include "cli/outputs.hpp"
 #include "cli/picture.hpp"
 #include "cli/predicate_counts.hpp"
 #include "cli/verbs.hpp"
+#include "datasets/files/pslg.hpp"
 #include "datasets/files/text.hpp"
 
 #include <filesystem>
@@ -28,17 +30,6 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 /// What is wrong with the outputs is said before anything is computed.
-void check_outputs(const OptimizeOptions& options, const Console& console) {
-  if (console.json && (options.output == "-" || options.stats == "-"))
-    throw BadUsage("--json and another output both want standard output");
-  check_picture(options.picture);
-  if (options.output.empty() || options.output == "-") return;
-  std::error_code none;
-  for (const fs::path& file : mesh_files(options.output))
-    if (fs::equivalent(file, options.points, none) || fs::equivalent(file, options.mesh, none))
-      throw BadUsage(file.string() + " would overwrite its own input");
-}
-
 /// Flips take a triangulation for granted: anything else is refused, with its first fault.
 void require_triangulation(const OptimizeOptions& options, const MeshInput& input) {
   const auto verdict =
@@ -117,7 +108,14 @@ int optimize(const OptimizeOptions& options, Console& console) {
   const MeshOptimizer& optimizer = optimizer_named(options.criterion);
   const Settings settings = settings_for(optimizer.name, optimizer.parameters, options.settings);
   const BackendEntry& backend = backend_named(options.backend);
-  check_outputs(options, console);
+  check_picture(options.picture);
+  check_outputs({.inputs = {options.points, options.mesh},
+                 .mesh = options.output,
+                 .stats = options.stats,
+                 .picture = options.picture.file},
+                console);
+  if (const auto graph = read_pslg(options.points); graph && !graph->segments.empty())
+    throw BadUsage(options.points + " holds segments, which flips would lose: give the points alone");
   MeshInput input{read_points(options.points), {}};
   input.mesh = read_mesh_over(options.points, input.points, options.mesh);
   if (optimizer.reads_values && input.points.values.empty())

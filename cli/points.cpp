@@ -11,8 +11,6 @@
 namespace tribunal::cli {
 namespace {
 
-bool is_poly(const std::string& path) { return std::filesystem::path(path).extension() == ".poly"; }
-
 /// Brings the graph to the lattice; segments that it leaves without length go.
 void quantise_graph(DatasetGraph& graph, int bits) {
   const std::size_t size = graph.points.size();
@@ -28,7 +26,7 @@ int write_graph(const PointsOptions& options, const Dataset& dataset, Console& c
   DatasetGraph graph = generate_graph(dataset, options.n, options.seed);
   if (options.bits != 0) quantise_graph(graph, options.bits);
   write_points(std::filesystem::path(options.output).replace_extension(".node"), graph.points);
-  write_poly(options.output, graph.segments, graph.holes);
+  write_poly(options.output, graph.segments, graph.holes, "carved");
   if (console.json)
     print_json(console, {{"dataset", options.dataset},
                          {"seed", options.seed},
@@ -44,7 +42,8 @@ int points(const PointsOptions& options, Console& console) {
   const Dataset& dataset = dataset_named(options.dataset);
   if (options.bits < 0 || options.bits > 53)
     throw BadUsage("--bits " + std::to_string(options.bits) + ": a lattice has 1 to 53 bits");
-  if (dataset.graph != nullptr && is_poly(options.output)) return write_graph(options, dataset, console);
+  if (dataset.graph != nullptr && ending_of(options.output) == ".poly")
+    return write_graph(options, dataset, console);
   std::vector<Point2> sites = generate(dataset, options.n, options.seed);
   if (options.bits != 0) sites = quantise(sites, options.bits);
   if (console.json && options.output == "-") {

@@ -6,6 +6,7 @@
 #include "bench/measure.hpp"
 #include "cli/graph_input.hpp"
 #include "cli/lookup.hpp"
+#include "cli/outputs.hpp"
 #include "cli/predicate_counts.hpp"
 #include "cli/verbs.hpp"
 #include "datasets/files/picture.hpp"
@@ -22,23 +23,6 @@ namespace {
 using nlohmann::json;
 using refinement::RefinedGraph;
 namespace fs = std::filesystem;
-
-/// What is written beside the mesh: the boundary with its new points.
-fs::path poly_beside(const fs::path& mesh) { return fs::path(mesh).replace_extension(".poly"); }
-
-/// What is wrong with the outputs is said before anything is computed.
-void check_outputs(const RefineOptions& options, const Console& console) {
-  if (console.json && (options.output == "-" || options.stats == "-"))
-    throw BadUsage("--json and another output both want standard output");
-  if (!options.picture.empty()) require_picture_ending(options.picture);
-  if (options.output.empty() || options.output == "-") return;
-  std::error_code none;
-  std::vector<fs::path> files = mesh_files(options.output);
-  if (files.size() > 1) files.push_back(poly_beside(options.output));
-  for (const fs::path& file : files)
-    if (fs::equivalent(file, options.boundary, none))
-      throw BadUsage(file.string() + " would overwrite its own input");
-}
 
 GraphInput boundary_of(const RefineOptions& options) {
   auto file = read_pslg(options.boundary);
@@ -126,7 +110,7 @@ void write_outputs(const RefineOptions& options, const GraphInput& input, const 
   const std::vector<Edge> segments = subsegments_of(refined);
   if (!options.output.empty()) write_mesh(options.output, mesh.points, mesh.triangles);
   if (!options.output.empty() && options.output != "-" && mesh_files(options.output).size() > 1)
-    write_poly(poly_beside(options.output), segments, input.file.holes);
+    write_poly(poly_beside(options.output), segments, input.file.holes, to_string(input.domain));
   if (!options.picture.empty()) write_picture(options.picture, mesh.points, mesh.triangles, segments);
 }
 
@@ -150,7 +134,13 @@ int refine(const RefineOptions& options, Console& console) {
   const refinement::Refiner& refiner = refiner_named(options.algorithm);
   const Settings settings = settings_for(refiner.name, refiner.parameters, options.settings);
   const BackendEntry& backend = backend_named(options.backend);
-  check_outputs(options, console);
+  if (!options.picture.empty()) require_picture_ending(options.picture);
+  check_outputs({.inputs = {options.boundary},
+                 .mesh = options.output,
+                 .boundary = true,
+                 .stats = options.stats,
+                 .picture = options.picture},
+                console);
   const GraphInput input = boundary_of(options);
   const auto& points = input.file.sites;
   const Kernel2Binding bound = backend.bind2(points.points);

@@ -9,6 +9,7 @@
 #include "bench/measure.hpp"
 #include "cli/graph_input.hpp"
 #include "cli/lookup.hpp"
+#include "cli/outputs.hpp"
 #include "cli/picture.hpp"
 #include "cli/predicate_counts.hpp"
 #include "cli/verbs.hpp"
@@ -53,28 +54,31 @@ struct Input {
   const PointFile& points() const { return with_segments ? with_segments->file.sites : alone; }
 };
 
-fs::path poly_beside(const fs::path& mesh) { return fs::path(mesh).replace_extension(".poly"); }
-
-/// What is wrong with the outputs is said before anything is computed.
-void check_outputs(const TriangulateOptions& options, const Console& console) {
+void check_request(const TriangulateOptions& options, const Console& console) {
   if (options.n != 0 && !names_dataset(options))
     throw BadUsage("-n goes with a dataset's name, not with a file");
-  if (console.json && (options.mesh == "-" || options.stats == "-"))
-    throw BadUsage("--json and another output both want standard output");
   check_picture(options.picture);
-  if (options.mesh.empty() || options.mesh == "-") return;
-  std::error_code none;
-  std::vector<fs::path> files = mesh_files(options.mesh);
-  if (files.size() > 1) files.push_back(poly_beside(options.mesh));
-  for (const fs::path& file : files)
-    if (fs::equivalent(file, options.points, none))
-      throw BadUsage(file.string() + " would overwrite its own input");
+  check_outputs({.inputs = {options.points},
+                 .mesh = options.mesh,
+                 .boundary = true,
+                 .stats = options.stats,
+                 .picture = options.picture.file},
+                console);
+}
+
+/// Without segments there is no domain but the hull.
+void require_hull(const TriangulateOptions& options, const Method& method) {
+  if (method.algorithm.about.name != "constrained") return;
+  if (constrained::domain(method.settings).value_or(Domain::hull) != Domain::hull)
+    throw BadUsage(options.points +
+                   " holds no segments that could bound a domain; without them it is the hull");
 }
 
 /// A file, standard input ("-"), or, where no such file is, a dataset of that name.
 Input input_of(const TriangulateOptions& options, const Method& method) {
   Input input;
   if (names_dataset(options)) {
+    require_hull(options, method);
     input.alone.points = generate(dataset_named(options.points), options.n, options.seed);
     return input;
   }
@@ -88,6 +92,7 @@ Input input_of(const TriangulateOptions& options, const Method& method) {
                    " would lose; --algorithm constrained keeps them");
   else
     input.with_segments = graph_input(options.points, std::move(*file), method.settings);
+  if (!input.with_segments) require_hull(options, method);
   return input;
 }
 
@@ -235,8 +240,8 @@ void write_outputs(const TriangulateOptions& options, const Input& input, const 
   const bool with_segments = input.with_segments.has_value();
   if (!options.mesh.empty()) write_mesh(options.mesh, points, run.result.triangles);
   if (!options.mesh.empty() && with_segments && mesh_files(options.mesh).size() > 1)
-    write_poly(poly_beside(options.mesh), input.with_segments->file.segments,
-               input.with_segments->file.holes);
+    write_poly(poly_beside(options.mesh), input.with_segments->file.segments, input.with_segments->file.holes,
+               to_string(input.with_segments->domain));
   picture.draw(points, run.result.triangles,
                with_segments ? run.constrained->constraints : std::vector<Edge>{});
 }
@@ -245,7 +250,7 @@ void write_outputs(const TriangulateOptions& options, const Input& input, const 
 
 int triangulate(const TriangulateOptions& options, Console& console) {
   const Method method = method_of(options);
-  check_outputs(options, console);
+  check_request(options, console);
   const Input input = input_of(options, method);
   require_values(method, input, options.points);
   const Picture picture(options.picture, options.points, input.points(), method.settings);

@@ -23,7 +23,7 @@ PslgFile graph_of(const VerifyOptions& options) {
 
 tribunal::verify::Verdict check_constrained(const VerifyOptions& options, const PslgFile& file,
                                             const MeshFile& mesh, std::size_t max_faults) {
-  const Domain domain = domain_named(options.domain, options.points, file);
+  const Domain domain = domain_named(options.domain, file);
   return tribunal::verify::verify_constrained(
       file.sites.points, {mesh.triangles},
       {file.segments, file.holes, static_cast<tribunal::verify::Domain>(domain)}, {.max_faults = max_faults});
@@ -36,6 +36,7 @@ int verify(const VerifyOptions& options, Console& console) {
   const bool constrained = options.kind == "constrained";
   if (!constrained && options.kind != "delaunay" && options.kind != "triangulation")
     throw BadUsage("--kind " + options.kind + ": delaunay, triangulation or constrained");
+  if (!constrained && options.domain != "auto") throw BadUsage("--domain goes with --kind constrained");
   PslgFile file;
   if (constrained)
     file = graph_of(options);

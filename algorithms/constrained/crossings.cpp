@@ -9,11 +9,15 @@
 #include <map>
 #include <memory>
 #include <numeric>
+#include <optional>
 
 namespace tribunal {
 namespace {
 
 constexpr int most_rounds = 64;
+/// Near an axis doubles are much finer in one direction than in the other, so that each round may bend pieces
+/// across each other a little farther on. From this round on, crossing points go to a lattice.
+constexpr int rounds_of_doubles = 8;
 
 /// A crossing on a segment: where exactly, and the index of the point that stands for it.
 struct Crossing {
@@ -34,6 +38,7 @@ class Splitter {
 
   SplitGraph run() {
     for (int round = 0; round < most_rounds; ++round) {
+      if (round == rounds_of_doubles) lattice_.emplace(split_.points);
       bind();
       const std::vector<Edge> pairs = crossing_pairs();
       if (pairs.empty()) return std::move(split_);
@@ -80,7 +85,7 @@ class Splitter {
   }
 
   Index point_at(const RationalPoint& exact) {
-    const Point2 rounded = nearest(exact);
+    const Point2 rounded = lattice_ ? lattice_->nearest(exact) : nearest(exact);
     const auto [found, is_new] = index_.try_emplace(rounded, static_cast<Index>(split_.points.size()));
     if (is_new) split_.points.push_back(rounded);
     if (is_new && !(exact == rational(rounded))) ++split_.rounded;
@@ -179,6 +184,7 @@ class Splitter {
   SplitGraph split_;
   std::map<Point2, Index> index_;  // of each position, its first point
   std::unique_ptr<const Kernel2> kernel_;
+  std::optional<RoundingLattice> lattice_;
 };
 
 }  // namespace

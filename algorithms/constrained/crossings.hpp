@@ -20,9 +20,10 @@ struct SplitGraph {
 
 /// Splits segments where two of them cross inside both. Crossing points are computed as rationals and rounded
 /// to the nearest doubles; a piece that ends at a rounded point is no longer on its segment, by at most half
-/// a unit in the last place. A vertex that would change sides of a segment by that becomes a vertex of it
-/// instead, and whatever crosses anew is split again, until nothing crosses: all by exact signs. Vertices on
-/// segments that are not split, and overlaps, are left as they are.
+/// a unit in the last place. Where that does not settle in a few rounds, the points that are still to come go
+/// to the lattice of the last place of the largest coordinate. A vertex that would change sides of a segment
+/// by that becomes a vertex of it instead, and whatever crosses anew is split again, until nothing crosses:
+/// all by exact signs. Vertices on segments that are not split, and overlaps, are left as they are.
 ///
 /// Throws Abandon: refused_input where crossings do not settle in `most_rounds` rounds, or a point is not
 /// finite. O(n log n) and the pairs of segments whose boxes overlap in x.

@@ -1,8 +1,10 @@
 #include "algorithms/constrained/rational_point.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 
 namespace tribunal {
@@ -19,6 +21,24 @@ double nearest_double(const mpq_class& value) {
   return (std::bit_cast<std::uint64_t>(inner) & 1) == 0 ? inner : outer;
 }
 
+/// The multiple of the unit below the value, the one above it, and the nearest ones that are kept: whichever
+/// is nearest. All of them are doubles.
+double nearest_of(const mpq_class& value, double unit, const std::vector<double>& kept) {
+  const mpq_class steps = value / mpq_class(unit);
+  mpz_class floor;
+  mpz_fdiv_q(floor.get_mpz_t(), steps.get_num_mpz_t(), steps.get_den_mpz_t());
+  const double below = floor.get_d() * unit;
+  if (floor == steps) return below;
+  std::vector<double> candidates{below, below + unit};
+  const auto after = std::lower_bound(kept.begin(), kept.end(), value,
+                                      [](double x, const mpq_class& bound) { return mpq_class(x) < bound; });
+  if (after != kept.end()) candidates.push_back(*after);
+  if (after != kept.begin()) candidates.push_back(*std::prev(after));
+  std::ranges::sort(candidates);
+  return *std::ranges::min_element(
+      candidates, {}, [&](double candidate) { return mpq_class(abs(mpq_class(candidate) - value)); });
+}
+
 }  // namespace
 
 RationalPoint intersection(Point2 a, Point2 b, Point2 c, Point2 d) {
@@ -26,6 +46,21 @@ RationalPoint intersection(Point2 a, Point2 b, Point2 c, Point2 d) {
   const mpq_class ux = q.x - p.x, uy = q.y - p.y, vx = s.x - r.x, vy = s.y - r.y;
   const mpq_class t = ((r.x - p.x) * vy - (r.y - p.y) * vx) / (ux * vy - uy * vx);
   return {p.x + t * ux, p.y + t * uy};
+}
+
+RoundingLattice::RoundingLattice(std::span<const Point2> points) {
+  double largest = 0;
+  for (const std::size_t axis : {0, 1}) {
+    for (const Point2& p : points) kept_[axis].push_back(p[axis]);
+    std::ranges::sort(kept_[axis]);
+    largest = std::max({largest, -kept_[axis].front(), kept_[axis].back()});
+  }
+  const int place = (largest > 0 ? std::ilogb(largest) : 0) - (std::numeric_limits<double>::digits - 1);
+  unit_ = std::ldexp(1.0, std::max(place, -1074));
+}
+
+Point2 RoundingLattice::nearest(const RationalPoint& p) const {
+  return {{nearest_of(p.x, unit_, kept_[0]), nearest_of(p.y, unit_, kept_[1])}};
 }
 
 Point2 nearest(const RationalPoint& p) { return {{nearest_double(p.x), nearest_double(p.y)}}; }

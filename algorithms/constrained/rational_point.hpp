@@ -5,6 +5,10 @@
 
 #include <gmpxx.h>
 
+#include <array>
+#include <span>
+#include <vector>
+
 namespace tribunal {
 
 struct RationalPoint {
@@ -23,5 +27,20 @@ RationalPoint intersection(Point2 a, Point2 b, Point2 c, Point2 d);
 
 /// The nearest doubles, ties to even; the coordinates are in the range of doubles.
 Point2 nearest(const RationalPoint& p);
+
+/// The numbers that a coordinate may be rounded to: multiples of one unit, and some that are there already.
+/// Rounding to the nearest of a fixed set is monotone, and keeps what is in it.
+class RoundingLattice {
+ public:
+  /// Of coordinates that are there, not none; the unit is that of the last place of the largest of them all.
+  explicit RoundingLattice(std::span<const Point2> points);
+
+  /// The nearest ones, ties downwards; p lies in the box of the points. O(log n).
+  Point2 nearest(const RationalPoint& p) const;
+
+ private:
+  double unit_;
+  std::array<std::vector<double>, 2> kept_;  ///< by axis, sorted
+};
 
 }  // namespace tribunal

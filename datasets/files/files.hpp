@@ -50,6 +50,9 @@ MeshFile read_mesh(const std::filesystem::path& path, std::uint64_t sites = std:
 /// nothing half-written. Throws BadInput.
 void write_points(const std::filesystem::path& path, std::span<const Point2> points);
 
+/// The ending of a path's name, with its dot, in lower case.
+std::string ending_of(const std::filesystem::path& path);
+
 /// The files that write_mesh(path) would write: the mesh, and for .ele the points beside it. Throws BadInput
 /// where the ending is of no mesh format, so that a command can refuse before it computes.
 std::vector<std::filesystem::path> mesh_files(const std::filesystem::path& path);

@@ -12,13 +12,6 @@ using Member = bool (*)(const Format&);
 const std::array all{&files::xy,  &files::xyz,  &files::csv,     &files::node, &files::ele,
                      &files::off, &files::poly, &files::geojson, &files::wkt};
 
-std::string ending_of(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
 /// The format of the path's ending; refuses when there is none or it does not hold such things.
 const Format& format_of(const std::filesystem::path& path, const Format& piped, std::string_view things,
                         Member holds) {
@@ -38,6 +31,13 @@ const Format& mesh_format(const std::filesystem::path& path) {
   return format_of(path, files::off, "meshes", [](const Format& f) { return f.write_mesh != nullptr; });
 }
 }  // namespace
+
+std::string ending_of(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
 
 PointFile read_points(const std::filesystem::path& path) {
   const Format& format = format_of(path, files::xy, "points", [](const Format& f) {

@@ -9,6 +9,8 @@
 namespace tribunal::files {
 namespace {
 
+constexpr std::string_view domain_line = "# domain ";
+
 NodeList read_sites(Scanner& scanner, const std::filesystem::path& path) {
   if (!scanner.next_line()) scanner.refuse_file("no points");
   NodeList list = read_node_list(scanner, true);
@@ -69,10 +71,19 @@ void pass_over_regions(Scanner& scanner) {
   announced.expect_end(scanner);
 }
 
+/// What a first line of our own says, else what is carved by holes.
+std::string domain_of(std::string_view text) {
+  if (!text.starts_with(domain_line)) return "carved";
+  text.remove_prefix(domain_line.size());
+  const std::string name(text.substr(0, text.find_first_of("\r\n")));
+  return name == "hull" || name == "even-odd" ? name : "carved";
+}
+
 PslgFile read_pslg(const std::filesystem::path& path, std::string_view text) {
   Scanner scanner(name_of(path), text);
   NodeList sites = read_sites(scanner, path);
   PslgFile pslg;
+  pslg.domain = domain_of(text);
   pslg.sites = std::move(sites.file);
   read_segments(scanner, sites.base, pslg);
   read_holes(scanner, pslg);
@@ -96,9 +107,11 @@ constinit const Format poly{
 namespace tribunal {
 
 void write_poly(const std::filesystem::path& path, std::span<const std::array<std::uint32_t, 2>> segments,
-                std::span<const Point2> holes) {
+                std::span<const Point2> holes, std::string_view domain) {
   using files::append_number;
-  std::string text = "0 2 0 0\n";
+  std::string text;
+  if (domain != "carved") text.append(files::domain_line).append(domain).append("\n");
+  text += "0 2 0 0\n";
   append_number(text, segments.size());
   text += " 0\n";
   for (std::size_t i = 0; i < segments.size(); ++i) {

@@ -4,6 +4,8 @@
 #include "datasets/files/files.hpp"
 
 #include <optional>
+#include <string>
+#include <string_view>
 
 namespace tribunal {
 
@@ -15,8 +17,9 @@ struct PslgFile {
   std::vector<std::uint64_t> segment_lines;            ///< 1-based line of each segment
   std::vector<Point2> holes;                           ///< a point inside each hole
   std::vector<std::uint64_t> hole_lines;
-  /// Whether the segments are the rings of polygons, so that the even-odd rule says what is inside.
-  bool polygons = false;
+  /// What the segments mean to enclose: "even-odd" where they are the rings of polygons, "carved" in a .poly,
+  /// unless it says otherwise in a first line "# domain NAME", else "hull".
+  std::string domain = "hull";
 };
 
 /// The graph of a .poly (Triangle), .geojson or .wkt file; nothing where the path has another ending. Throws
@@ -24,8 +27,9 @@ struct PslgFile {
 /// than three points.
 std::optional<PslgFile> read_pslg(const std::filesystem::path& path);
 
-/// A .poly file without points of its own: they are in the .node file beside it, numbered from 0.
+/// A .poly file without points of its own: they are in the .node file beside it, numbered from 0. A domain
+/// that is not "carved" stands in its first line.
 void write_poly(const std::filesystem::path& path, std::span<const std::array<std::uint32_t, 2>> segments,
-                std::span<const Point2> holes);
+                std::span<const Point2> holes, std::string_view domain);
 
 }  // namespace tribunal

@@ -36,7 +36,7 @@ void Rings::end_chain(Scanner::Place where) {
 }
 
 void Rings::end_ring(Scanner::Place where) {
-  pslg_.polygons = true;
+  pslg_.domain = "even-odd";
   PointFile& sites = pslg_.sites;
   if (size() == first_) return;
   if (!(sites.points[first_] == sites.points.back()) || size() == first_ + 1)

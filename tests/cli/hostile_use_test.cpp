@@ -52,6 +52,37 @@ TEST(HostileUse, TheInputIsNeverOverwritten) {
   EXPECT_EQ(read(points), text);
 }
 
+TEST(HostileUse, NoOutputIsAnInputOrAnotherOutput) {
+  const Folder folder;
+  const std::string text = "0 0\n4 0\n4 3\n0 3\n", points = folder.write("p.xy", text);
+  const std::string mesh = folder / "m.off";
+  ASSERT_EQ(tribunal({"triangulate", points, "-o", mesh}).status, 0);
+  const std::string triangles = read(mesh);
+  const std::string nodes = folder.write("g.node", "3 2 1 0\n0 0 0 7\n1 4 0 8\n2 4 3 9\n");
+  const std::string graph = folder.write("g.poly", "0 2 0 0\n0 0\n0\n"), attributes = read(nodes);
+  std::filesystem::create_directory(folder / "f.ele");
+  const std::vector<std::vector<std::string>> refused{
+      {"triangulate", points, "--stats", points},
+      {"optimize", points, mesh, "--stats", mesh},
+      {"optimize", graph, mesh, "-o", folder / "g.ele"},
+      {"triangulate", points, "-o", folder / "x.off", "--stats", folder / "x.off"},
+      {"triangulate", points, "--picture", folder / "x.svg", "--stats", folder / "./x.svg"},
+      {"triangulate", points, "-o", "-", "--stats", "-"},
+      {"triangulate", points, "-o", folder / "f.ele"},
+      {"triangulate", points, "-o", folder / "y.off", "--picture", folder / "none/p.svg"},
+  };
+  for (const auto& words : refused) {
+    const Ended ended = tribunal(words);
+    EXPECT_EQ(ended.status, 2) << testing::PrintToString(words);
+    EXPECT_TRUE(ended.one_line_error()) << ended.err;
+  }
+  EXPECT_EQ(read(points), text);
+  EXPECT_EQ(read(mesh), triangles);
+  EXPECT_EQ(read(nodes), attributes);
+  for (const char* name : {"x.off", "x.svg", "y.off", "f.node"})
+    EXPECT_FALSE(std::filesystem::exists(folder / name)) << name;
+}
+
 TEST(HostileUse, AMeshOnStandardOutputIsAMesh) {
   const Folder folder;
   const std::string points = folder / "p.xy";

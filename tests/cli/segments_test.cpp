@@ -100,6 +100,30 @@ TEST(Segments, BadFilesAreRefusedWithTheirPlace) {
   }
 }
 
+TEST(Segments, TheGraphBesideAMeshKeepsItsDomain) {
+  const Folder folder;
+  const std::string file = folder.write("ring.wkt", square_with_ring), mesh = folder / "m.ele";
+  for (const std::string domain : {"even-odd", "hull"}) {
+    ASSERT_EQ(tribunal(constrained(file, {"-o", mesh, "--set", "domain=" + domain})).status, 0);
+    EXPECT_EQ(tribunal({"verify", folder / "m.poly", mesh, "--kind", "constrained"}).status, 0) << domain;
+  }
+}
+
+TEST(Segments, DomainsAndFlipsWantWhatTheyGet) {
+  const Folder folder;
+  const std::string points = folder.write("p.xy", "0 0\n4 0\n4 3\n0 3\n"), mesh = folder / "m.off";
+  const std::string graph = folder.write("g.poly", square_with_hole);
+  ASSERT_EQ(tribunal({"triangulate", points, "-o", mesh}).status, 0);
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"triangulate", points, "--algorithm", "constrained", "--set", "domain=even-odd"},
+           {"verify", points, mesh, "--domain", "hull"},
+           {"optimize", graph, mesh}}) {
+    const Ended ended = tribunal(words);
+    EXPECT_EQ(ended.status, 2) << testing::PrintToString(words);
+    EXPECT_TRUE(ended.one_line_error()) << ended.err;
+  }
+}
+
 TEST(Segments, AHoleThatABackendCannotTellIsRefusedWithItsPlace) {
   const Folder folder;
   std::string off_lattice = square_with_hole;

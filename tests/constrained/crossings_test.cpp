@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -123,6 +124,57 @@ TEST(Crossings, SplitWherePointsAreCloserThanDoubles) {
     }
     expect_settled(star);
     expect_settled(bundle);
+  }
+}
+
+/// Segments between the points two by two.
+LatticeGraph segments_between(std::vector<Point2> points) {
+  LatticeGraph graph;
+  for (Index i = 0; i < points.size(); i += 2) graph.segments.push_back({i, i + 1});
+  graph.points = std::move(points);
+  return graph;
+}
+
+// On an axis doubles are finer across it than along it, without end at its origin: what bends by a place in y
+// crosses anew a place farther on in x.
+TEST(Crossings, SplitWhereDoublesAreFinerInOneDirection) {
+  expect_settled(segments_between(
+      {{{-0.43, 1.66}}, {{0.43, -0.26}}, {{-0.79, 1.56}}, {{0.79, -0.16}}, {{-0.49, 1.27}}, {{0.49, 0.13}}}));
+  expect_settled(segments_between({{{1.1102230246251565e-16, 1.0000000000000002}},
+                                   {{1.0000000000000002, 4.440892098500626e-16}},
+                                   {{3.3306690738754696e-16, 1.0}},
+                                   {{1.0000000000000007, 1.1102230246251565e-16}},
+                                   {{2.220446049250313e-16, 1.0000000000000004}},
+                                   {{1.0000000000000004, -0.9999999999999994}}}));
+  Random random(29);
+  for (int round = 0; round < 300 && !HasFailure(); ++round) {
+    const double height = std::array{0.7, 1.0, 35.2}[random.below(3)];
+    std::vector<Point2> points;
+    for (int line = 0; line < 3; ++line) {
+      const double x = std::round(100 * random.unit()) / 100 + 0.01,
+                   y = std::round(200 * random.unit()) / 100 - 1;
+      points.push_back({{-x, height + y}});
+      points.push_back({{x, height - y}});
+    }
+    expect_settled(segments_between(std::move(points)));
+  }
+}
+
+TEST(Crossings, TheRoundingLatticeKeepsWhatIsThereAndIsMonotone) {
+  const std::vector<Point2> there{{{0.0, -4.0}}, {{3.25, 1e-20}}, {{1e-300, 1.0}}};
+  const RoundingLattice lattice(there);
+  for (const Point2& p : there) EXPECT_EQ(lattice.nearest(rational(p)), p);
+  const double unit = std::ldexp(1.0, -50);  // of the last place of 4
+  EXPECT_EQ(lattice.nearest({mpq_class(1) + mpq_class(unit) / 3, mpq_class(unit) * 2 / 3}),
+            (Point2{{1.0, unit}}));
+  EXPECT_EQ(lattice.nearest({mpq_class(unit) / 1000, mpq_class(unit) / 1000}), (Point2{{1e-300, 1e-20}}));
+  Point2 last{{0.0, -4.0}};
+  for (int step = 1; step <= 1000; ++step) {
+    const mpq_class part(step, 1000);
+    const Point2 here = lattice.nearest({part * mpq_class(unit) * 3, part * mpq_class(unit) * 3 - 4});
+    EXPECT_LE(last[0], here[0]);
+    EXPECT_LE(last[1], here[1]);
+    last = here;
   }
 }
 

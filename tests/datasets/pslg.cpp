@@ -25,7 +25,7 @@ TEST(Pslg, PolyCountsFromZeroOrOne) {
     EXPECT_EQ(pslg.sites.points, (Points{{{0, 0}}, {{4, 0}}, {{0, 4}}})) << content;
     EXPECT_EQ(pslg.segments, (Segments{{0, 1}, {1, 2}, {2, 0}})) << content;
     EXPECT_EQ(pslg.holes, (Points{{{1, 1}}})) << content;
-    EXPECT_FALSE(pslg.polygons);
+    EXPECT_EQ(pslg.domain, "carved");
   }
 }
 
@@ -44,12 +44,15 @@ TEST(Pslg, PolyReadsBackAsItWasWritten) {
   const Points points{{{0.1, -0.0}}, {{1e300, 5e-324}}, {{-3, 1.0 / 3}}}, holes{{{0.5, 0.25}}};
   const Segments segments{{2, 0}, {1, 2}};
   write_points(folder / "a.node", points);
-  write_poly(folder / "a.poly", segments, holes);
-  const auto pslg = read_pslg(folder / "a.poly");
-  ASSERT_TRUE(pslg.has_value());
-  EXPECT_EQ(pslg->sites.points, points);
-  EXPECT_EQ(pslg->segments, segments);
-  EXPECT_EQ(pslg->holes, holes);
+  for (const std::string domain : {"carved", "even-odd", "hull"}) {
+    write_poly(folder / "a.poly", segments, holes, domain);
+    const auto pslg = read_pslg(folder / "a.poly");
+    ASSERT_TRUE(pslg.has_value());
+    EXPECT_EQ(pslg->sites.points, points);
+    EXPECT_EQ(pslg->segments, segments);
+    EXPECT_EQ(pslg->holes, holes);
+    EXPECT_EQ(pslg->domain, domain);
+  }
 }
 
 // Two rings and their lines, in every spelling of the two formats that nest polygons.
@@ -78,7 +81,7 @@ TEST(Pslg, RingsBecomeClosedLoops) {
     const PslgFile pslg = pslg_of(name, content);
     EXPECT_EQ(pslg.sites.points, points) << content;
     EXPECT_EQ(pslg.segments, segments) << content;
-    EXPECT_TRUE(pslg.polygons) << content;
+    EXPECT_EQ(pslg.domain, "even-odd") << content;
     EXPECT_EQ(pslg.sites.lines.size(), 6U);
     EXPECT_EQ(pslg.segment_lines.size(), 6U);
   }
@@ -92,7 +95,7 @@ TEST(Pslg, LinesStayOpenAndPointsAlone) {
     const PslgFile pslg = pslg_of(name, content);
     EXPECT_EQ(pslg.sites.points, (Points{{{0, 0}}, {{1, 0}}, {{1, 1}}, {{5, 5}}, {{6, 6}}})) << content;
     EXPECT_EQ(pslg.segments, (Segments{{0, 1}, {1, 2}})) << content;
-    EXPECT_FALSE(pslg.polygons);
+    EXPECT_EQ(pslg.domain, "hull");
   }
 }
 
