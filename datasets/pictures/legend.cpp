@@ -14,7 +14,7 @@ namespace {
 /// step.
 std::string rounded(double number, double step) {
   if (std::fabs(number) < step / 100) return "0";
-  const int precision = std::clamp(static_cast<int>(std::log10(std::fabs(number) / step)) + 3, 3, 9);
+  const int precision = std::clamp(static_cast<int>(std::log10(std::fabs(number) / step)) + 2, 3, 9);
   char digits[32];
   return {digits,
           std::to_chars(digits, digits + sizeof digits, number, std::chars_format::general, precision).ptr};
