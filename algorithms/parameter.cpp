@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <charconv>
-#include <optional>
+#include <cmath>
 
 namespace tribunal {
 namespace {
@@ -22,6 +22,8 @@ std::string listed(const Range& range, Name name_of) {
   return text;
 }
 
+}  // namespace
+
 std::string value_of(const Settings& settings, const Parameter& parameter) {
   const auto found = settings.find(std::string(parameter.name));
   std::string value = found == settings.end() ? std::string(parameter.standard) : found->second;
@@ -29,16 +31,24 @@ std::string value_of(const Settings& settings, const Parameter& parameter) {
   return value;
 }
 
-}  // namespace
+std::optional<double> parse_number(std::string_view text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
+  return number;
+}
 
 std::string describe_values(const Parameter& parameter) {
+  if (parameter.values != nullptr) return std::string(parameter.values->describe);
   if (parameter.choices == nullptr)
     return "a whole number from " + std::to_string(parameter.least) + " to " + std::to_string(parameter.most);
   return "one of " + listed(parameter.choices(), [](std::string_view choice) { return choice; });
 }
 
 std::string refuse(const Parameter& parameter, std::string_view value) {
-  if (parameter.choices == nullptr) {
+  if (parameter.values != nullptr) {
+    if (parameter.values->holds(value)) return {};
+  } else if (parameter.choices == nullptr) {
     const auto number = parse_whole_number(value);
     if (number && *number >= parameter.least && *number <= parameter.most) return {};
   } else {

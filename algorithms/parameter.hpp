@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,13 +11,21 @@
 
 namespace tribunal {
 
-/// A whole number, or one of a list of names. Users, plans and cells write its value as text.
+/// What a parameter takes that is neither a whole number nor a name from a list.
+struct Values {
+  std::string_view describe;        ///< "a number from 0 to 60, 60 excluded"
+  bool (*holds)(std::string_view);  ///< whether the text is such a value
+};
+
+/// A whole number, one of a list of names, or a value of another kind. Users, plans and cells write its value
+/// as text.
 struct Parameter {
   std::string_view name;
   std::string_view summary;                              ///< one line
   std::string_view standard;                             ///< the default
   std::uint64_t least = 0, most = 0;                     ///< of a whole number
-  std::vector<std::string_view> (*choices)() = nullptr;  ///< null: a whole number
+  std::vector<std::string_view> (*choices)() = nullptr;  ///< null: not from a list
+  const Values* values = nullptr;                        ///< null, and no choices: a whole number
 };
 
 /// Values of parameters by name. What is left out has its default.
@@ -45,6 +54,12 @@ Settings without_defaults(std::span<const Parameter> parameters, Settings settin
 
 /// The value of a parameter that is a whole number. The settings must have been accepted (refuse_settings).
 std::uint64_t whole_number(const Settings& settings, const Parameter& parameter);
+
+/// The value of any parameter, as it was written. The settings must have been accepted.
+std::string value_of(const Settings& settings, const Parameter& parameter);
+
+/// The finite number that the whole text is, in decimal notation; nothing where it is none.
+std::optional<double> parse_number(std::string_view text);
 
 /// The value of a parameter with choices, and its place among them. The settings must have been accepted.
 std::string choice(const Settings& settings, const Parameter& parameter);

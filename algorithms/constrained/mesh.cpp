@@ -4,6 +4,8 @@
 #include "algorithms/planar/conflict.hpp"
 #include "algorithms/planar/first_triangle.hpp"
 
+#include <cassert>
+
 namespace tribunal::constrained {
 
 Mesh::Mesh(const Kernel2& kernel, Point2 a, Point2 b, Point2 c)
@@ -11,6 +13,7 @@ Mesh::Mesh(const Kernel2& kernel, Point2 a, Point2 b, Point2 c)
   const bool clockwise = kernel.orient2d(a, b, c) == Sign::negative;
   last_ = clockwise ? add_first_triangle(mesh_, 0, 2, 1) : add_first_triangle(mesh_, 0, 1, 2);
   pieces_.assign(3 * std::size_t{mesh_.triangles()}, free_edge);
+  inside_.assign(mesh_.triangles(), 1);
 }
 
 void Mesh::reserve(std::size_t vertices) {
@@ -18,6 +21,7 @@ void Mesh::reserve(std::size_t vertices) {
   incident_.reserve(vertices);
   mesh_.reserve(2 * vertices);
   pieces_.reserve(6 * vertices);
+  inside_.reserve(2 * vertices);
 }
 
 bool Mesh::swappable(HalfEdge h) const {
@@ -51,9 +55,7 @@ HalfEdge Mesh::edge(Index a, Index b) const {
 }
 
 Index Mesh::insert(Point2 position) {
-  const Index vertex = vertices();
-  points_.push_back(position);
-  incident_.push_back(0);
+  const Index vertex = add_vertex(position);
   const PlanarProblem problem{points_, {}, kernel_};
   const Index t = walk(problem, mesh_, last_, vertex, counters_.location_steps);
   on_hull_ = mesh_.is_ghost(t);
@@ -65,6 +67,32 @@ Index Mesh::insert(Point2 position) {
   legalise(problem, vertex);
   last_ = incident_[vertex];
   return vertex;
+}
+
+void Mesh::confine(std::vector<char> inside) {
+  assert(inside.size() == mesh_.triangles());
+  inside_ = std::move(inside);
+}
+
+Index Mesh::insert_into(Index t, Point2 position) {
+  const Index vertex = add_vertex(position);
+  on_hull_ = false;
+  split_triangle(t, vertex);
+  legalise({points_, {}, kernel_}, vertex);
+  return vertex;
+}
+
+Index Mesh::insert_on(HalfEdge h, Point2 position) {
+  const Index vertex = add_vertex(position);
+  split_edge(h, vertex);
+  legalise({points_, {}, kernel_}, vertex);
+  return vertex;
+}
+
+Index Mesh::add_vertex(Point2 position) {
+  points_.push_back(position);
+  incident_.push_back(0);
+  return vertices() - 1;
 }
 
 /// The edge of the finite triangle t on which the vertex lies, or `none` when it lies inside.
@@ -80,10 +108,27 @@ HalfEdge Mesh::edge_through(Index t, Index vertex) const {
   return edge;
 }
 
-Index Mesh::add_triangle(Index a, Index b, Index c) {
+/// Adds a triangle on the same side of the domain's boundary as another one.
+Index Mesh::add_triangle(Index a, Index b, Index c, Index beside) {
+  const char side = inside_[beside];
+  if (!discarded_.empty()) {
+    const Index t = discarded_.back();
+    discarded_.pop_back();
+    mesh_.replace(t, a, b, c);
+    inside_[t] = side;
+    return t;
+  }
   const Index t = mesh_.add(a, b, c);
   pieces_.insert(pieces_.end(), 3, free_edge);
+  inside_.push_back(side);
   return t;
+}
+
+void Mesh::discard(Index t) {
+  mesh_.replace(t, infinite, infinite, infinite);
+  for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) pieces_[h] = free_edge;
+  inside_[t] = 0;
+  discarded_.push_back(t);
 }
 
 void Mesh::replace(Index t, Index a, Index b, Index c) {
@@ -97,8 +142,8 @@ void Mesh::replace(Index t, Index a, Index b, Index c) {
 void Mesh::split_triangle(Index t, Index vertex) {
   const Triangle corner = mesh_.triangle(t);
   const Triangle beyond{mesh_.twin(3 * t), mesh_.twin(3 * t + 1), mesh_.twin(3 * t + 2)};
-  const Triangle child{t, add_triangle(vertex, corner[2], corner[0]),
-                       add_triangle(vertex, corner[0], corner[1])};
+  const Triangle child{t, add_triangle(vertex, corner[2], corner[0], t),
+                       add_triangle(vertex, corner[0], corner[1], t)};
   replace(t, vertex, corner[1], corner[2]);
   touch(corner[0], child[1]);
   for (Index i = 0; i < 3; ++i) {
@@ -119,7 +164,8 @@ void Mesh::split_edge(HalfEdge h, Index vertex) {
   const Index a = mesh_.from(h), b = mesh_.to(h), p = mesh_.corner(h), q = mesh_.corner(g);
   const HalfEdge beyond_pa = mesh_.twin(prev(h)), beyond_bp = mesh_.twin(next(h));
   const HalfEdge beyond_qb = mesh_.twin(prev(g)), beyond_aq = mesh_.twin(next(g));
-  const Index right = add_triangle(vertex, b, p), far_right = add_triangle(vertex, a, q);
+  const Index right = add_triangle(vertex, b, p, left);
+  const Index far_right = add_triangle(vertex, a, q, far_left);
   replace(left, vertex, p, a);
   replace(far_left, vertex, q, b);
   attach(3 * left, beyond_pa);
@@ -147,7 +193,7 @@ void Mesh::legalise(const PlanarProblem& problem, Index vertex) {
   while (!suspects_.empty()) {
     const Index t = suspects_.back();
     suspects_.pop_back();
-    if (held(3 * t)) continue;
+    if (held(3 * t) || !inside(t)) continue;
     const HalfEdge across = mesh_.twin(3 * t);
     ++counters_.conflict_tests;
     if (!in_conflict(problem, mesh_.triangle(triangle_of(across)), vertex)) continue;

@@ -52,6 +52,18 @@ class Mesh {
   /// without held edges.
   Index insert(Point2 position);
 
+  /// From now on triangles with inside[t] == 0 are left alone: their circles are not restored. What is inside
+  /// must be bounded by held edges.
+  void confine(std::vector<char> inside);
+  bool inside(Index t) const { return inside_[t] != 0; }
+
+  /// Inserts a new vertex strictly inside the finite triangle t; constrained Delaunay if it was.
+  Index insert_into(Index t, Point2 position);
+  /// Inserts a new vertex between the ends of the edge h, whose halves keep its piece. The position need not
+  /// be exactly on the edge if all new triangles are counter-clockwise and it lies in the circles of both old
+  /// ones.
+  Index insert_on(HalfEdge h, Point2 position);
+
   /// Swaps the diagonal h, not held, of a convex quadrilateral.
   void swap(HalfEdge h);
   /// Swaps edges until none of `suspects` and of those that become suspect violates its circle. Held edges
@@ -60,6 +72,9 @@ class Mesh {
 
   /// For those who fill a cavity: gives the triangle t new corners; its edges are then to be attached.
   void replace(Index t, Index a, Index b, Index c);
+  /// Takes a triangle whose edges are glued to nothing any more out of the mesh: its place looks like a ghost
+  /// until it is used again.
+  void discard(Index t);
   /// Glues h to the half-edge across it, whose piece it takes over.
   void attach(HalfEdge h, HalfEdge across) {
     mesh_.glue(h, across);
@@ -73,7 +88,8 @@ class Mesh {
 
  private:
   HalfEdge edge_through(Index t, Index vertex) const;
-  Index add_triangle(Index a, Index b, Index c);
+  Index add_vertex(Point2 position);
+  Index add_triangle(Index a, Index b, Index c, Index beside);
   void split_triangle(Index t, Index vertex);
   void split_edge(HalfEdge h, Index vertex);
   void legalise(const PlanarProblem& problem, Index vertex);
@@ -84,10 +100,12 @@ class Mesh {
   const Kernel2& kernel_;
   PlanarMesh mesh_;
   std::vector<Point2> points_;
-  std::vector<Index> incident_;  // of each vertex, one of its triangles
-  std::vector<Index> pieces_;    // of each half-edge
-  std::vector<Index> suspects_;  // triangles of the new star, the new vertex at corner 0
-  Index last_ = 0;               // a triangle of the vertex inserted last
+  std::vector<Index> incident_;   // of each vertex, one of its triangles
+  std::vector<Index> pieces_;     // of each half-edge
+  std::vector<char> inside_;      // of each triangle
+  std::vector<Index> discarded_;  // places of triangles that are free
+  std::vector<Index> suspects_;   // triangles of the new star, the new vertex at corner 0
+  Index last_ = 0;                // a triangle of the vertex inserted last
   bool on_hull_ = false;
   Counters counters_;
 };

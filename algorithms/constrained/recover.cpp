@@ -36,10 +36,11 @@ std::vector<Edge> swap_away(Mesh& mesh, const Channel& channel, std::uint64_t& s
 void put_on(Mesh& mesh, HalfEdge h, Index segment, Recovered& recovered) {
   if (mesh.held(h)) {
     ++recovered.pieces[mesh.piece(h)].segments;
-    return;
+  } else {
+    mesh.hold(h, static_cast<Index>(recovered.pieces.size()));
+    recovered.pieces.push_back({segment});
   }
-  mesh.hold(h, static_cast<Index>(recovered.pieces.size()));
-  recovered.pieces.push_back({segment});
+  recovered.runs.push_back({segment, mesh.piece(h)});
 }
 
 /// Makes the end of the channel a neighbour of its start, by a held edge.

@@ -18,7 +18,8 @@ struct Piece {
 /// The segments that are in a mesh: pieces as the mesh's edges name them, and what happened on the way.
 struct Recovered {
   std::vector<Piece> pieces;
-  std::vector<Touch> touches;  ///< vertices by their number in the mesh
+  std::vector<std::array<Index, 2>> runs;  ///< (segment, piece): the pieces of each segment, from its start
+  std::vector<Touch> touches;              ///< vertices by their number in the mesh
   std::uint64_t swaps = 0;
 };
 
