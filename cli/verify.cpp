@@ -26,7 +26,8 @@ tribunal::verify::Verdict check_constrained(const VerifyOptions& options, const 
   const Domain domain = domain_named(options.domain, options.points, file);
   return tribunal::verify::verify_constrained(
       file.sites.points, {mesh.triangles},
-      {file.segments, file.holes, static_cast<tribunal::verify::Domain>(domain)}, {.max_faults = max_faults});
+      {file.segments, file.holes, static_cast<tribunal::verify::Domain>(domain)},
+      {.kind = options.criterion == "none" ? Kind::triangulation : Kind::delaunay, .max_faults = max_faults});
 }
 
 }  // namespace
@@ -36,6 +37,9 @@ int verify(const VerifyOptions& options, Console& console) {
   const bool constrained = options.kind == "constrained";
   if (!constrained && options.kind != "delaunay" && options.kind != "triangulation")
     throw BadUsage("--kind " + options.kind + ": delaunay, triangulation or constrained");
+  if (options.criterion != "delaunay" && options.criterion != "none")
+    throw BadUsage("--criterion " + options.criterion + ": delaunay or none");
+  if (options.criterion == "none" && !constrained) throw BadUsage("--criterion none goes with --kind constrained");
   PslgFile file;
   if (constrained)
     file = graph_of(options);

@@ -50,6 +50,8 @@ set(tribunal_claims
     M4
     M5
     M6
+    M7
+    M7-spacing
     M8
     G1
     G2
@@ -59,4 +61,7 @@ set(tribunal_claims
     G4-early
     G4-gilbert
     G5
-    G6)
+    G6
+    S7
+    S7-thin
+    S7-work)
