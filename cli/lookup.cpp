@@ -59,6 +59,11 @@ const MeshOptimizer& optimizer_named(const std::string& name) {
   refuse("criterion", name, mesh_optimizers(), [](const auto& o) { return o.name; });
 }
 
+const refinement::Refiner& refiner_named(const std::string& name) {
+  if (const auto* found = refinement::find_refiner(name)) return *found;
+  refuse("algorithm", name, refinement::refiners(), [](const auto& r) { return r.name; });
+}
+
 Settings settings_for(std::string_view owner, std::span<const Parameter> parameters,
                       const std::vector<std::string>& texts) {
   Settings settings;

@@ -3,6 +3,7 @@
 
 #include "algorithms/algorithm.hpp"
 #include "algorithms/flips/optimizers.hpp"
+#include "algorithms/refinement/refiners.hpp"
 #include "datasets/dataset.hpp"
 #include "datasets/queries/queries.hpp"
 #include "predicates/backends/backend.hpp"
@@ -24,6 +25,7 @@ Order order_named(const std::string& name);
 Predicate predicate_named(const std::string& name);
 const QueryFamily& query_family_named(const std::string& name);
 const MeshOptimizer& optimizer_named(const std::string& name);
+const refinement::Refiner& refiner_named(const std::string& name);
 
 /// "name=value" texts as settings that `owner` takes, which has these parameters. Throws BadUsage for what is
 /// none, and for a name that comes twice.

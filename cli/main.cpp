@@ -83,6 +83,7 @@ class CommandLine {
     add_triangulate();
     add_verify();
     add_optimize();
+    add_refine();
     add_try();
     add_bench();
     add_fuzz();
@@ -194,6 +195,9 @@ class CommandLine {
     verb->add_option("--domain", verify_options.domain,
                      "of kind constrained: hull, carved, even-odd, or auto: polygons even-odd, .poly carved")
         ->capture_default_str();
+    verb->add_option("--criterion", verify_options.criterion,
+                     "of kind constrained, what free edges satisfy: delaunay or none")
+        ->capture_default_str();
   }
   void add_optimize() {
     auto& o = optimize_options;
@@ -207,6 +211,20 @@ class CommandLine {
         ->allow_extra_args(false);
     verb->add_option("--backend", o.backend, "see tribunal list backends")->capture_default_str();
     verb->add_option("-o,--output", o.output, "mesh file: .off or .ele");
+    verb->add_option("--stats", o.stats, "statistics as JSON");
+    verb->add_option("--picture", o.picture, "picture: .svg");
+  }
+  void add_refine() {
+    auto& o = refine_options;
+    auto* verb = add_verb("refine", "mesh what a boundary encloses, with points of its own",
+                          "tribunal refine gulf.poly --set angle=30 --set size=500 -o gulf.ele", o,
+                          tribunal::cli::refine);
+    verb->add_option("boundary", o.boundary, "segments and holes: .poly, .geojson or .wkt")->required();
+    verb->add_option("--algorithm", o.algorithm, "chew")->capture_default_str();
+    verb->add_option("--set", o.settings, "a parameter of the algorithm, NAME=VALUE; may be repeated")
+        ->allow_extra_args(false);
+    verb->add_option("--backend", o.backend, "see tribunal list backends")->capture_default_str();
+    verb->add_option("-o,--output", o.output, "mesh file: .ele, with .node and .poly beside it, or .off");
     verb->add_option("--stats", o.stats, "statistics as JSON");
     verb->add_option("--picture", o.picture, "picture: .svg");
   }
@@ -350,6 +368,7 @@ class CommandLine {
   TriangulateOptions triangulate_options;
   VerifyOptions verify_options;
   OptimizeOptions optimize_options;
+  RefineOptions refine_options;
   BenchOptions bench_options;
   TryOptions try_options;
   FuzzOptions fuzz_options;

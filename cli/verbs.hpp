@@ -49,7 +49,8 @@ int triangulate(const TriangulateOptions& options, Console& console);
 struct VerifyOptions {
   std::string points, mesh;
   std::string kind = "delaunay";
-  std::string domain = "auto";  ///< with kind constrained: hull, carved, even-odd or auto
+  std::string domain = "auto";         ///< with kind constrained: hull, carved, even-odd or auto
+  std::string criterion = "delaunay";  ///< of the free edges, with kind constrained: delaunay or none
 };
 int verify(const VerifyOptions& options, Console& console);
 
@@ -63,6 +64,17 @@ struct OptimizeOptions {
   std::string picture;                ///< .svg; empty: none
 };
 int optimize(const OptimizeOptions& options, Console& console);
+
+struct RefineOptions {
+  std::string boundary;
+  std::string algorithm = "chew";
+  std::string backend = "filtered";
+  std::vector<std::string> settings;  ///< NAME=VALUE, of the algorithm
+  std::string output;                 ///< mesh file; empty: none
+  std::string stats;                  ///< statistics as JSON; empty: none
+  std::string picture;                ///< .svg; empty: none
+};
+int refine(const RefineOptions& options, Console& console);
 
 struct BenchOptions {
   std::string what;                               ///< predicates or algorithms

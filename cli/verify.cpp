@@ -39,7 +39,8 @@ int verify(const VerifyOptions& options, Console& console) {
     throw BadUsage("--kind " + options.kind + ": delaunay, triangulation or constrained");
   if (options.criterion != "delaunay" && options.criterion != "none")
     throw BadUsage("--criterion " + options.criterion + ": delaunay or none");
-  if (options.criterion == "none" && !constrained) throw BadUsage("--criterion none goes with --kind constrained");
+  if (options.criterion == "none" && !constrained)
+    throw BadUsage("--criterion none goes with --kind constrained");
   PslgFile file;
   if (constrained)
     file = graph_of(options);

@@ -1,0 +1,183 @@
+// tribunal refine: a user's boundary to a mesh with Steiner points.
+#include "algorithms/mesh/canonical.hpp"
+#include "algorithms/refinement/refiners.hpp"
+#include "algorithms/refinement/shape.hpp"
+#include "algorithms/verify/verify.hpp"
+#include "bench/measure.hpp"
+#include "cli/graph_input.hpp"
+#include "cli/lookup.hpp"
+#include "cli/predicate_counts.hpp"
+#include "cli/verbs.hpp"
+#include "datasets/files/picture.hpp"
+#include "datasets/files/text.hpp"
+#include "predicates/counted.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <ostream>
+
+namespace tribunal::cli {
+namespace {
+using nlohmann::json;
+using refinement::RefinedGraph;
+namespace fs = std::filesystem;
+
+/// What is written beside the mesh: the boundary with its new points.
+fs::path poly_beside(const fs::path& mesh) { return fs::path(mesh).replace_extension(".poly"); }
+
+/// What is wrong with the outputs is said before anything is computed.
+void check_outputs(const RefineOptions& options, const Console& console) {
+  if (console.json && (options.output == "-" || options.stats == "-"))
+    throw BadUsage("--json and another output both want standard output");
+  if (!options.picture.empty()) require_picture_ending(options.picture);
+  if (options.output.empty() || options.output == "-") return;
+  std::error_code none;
+  std::vector<fs::path> files = mesh_files(options.output);
+  if (files.size() > 1) files.push_back(poly_beside(options.output));
+  for (const fs::path& file : files)
+    if (fs::equivalent(file, options.boundary, none))
+      throw BadUsage(file.string() + " would overwrite its own input");
+}
+
+GraphInput boundary_of(const RefineOptions& options) {
+  auto file = read_pslg(options.boundary);
+  if (!file) throw BadUsage(options.boundary + ": a boundary comes as .poly, .geojson or .wkt");
+  if (file->segments.empty()) throw BadInput(options.boundary + ": holds no segments: there is no boundary");
+  return graph_input(options.boundary, std::move(*file), {});
+}
+
+std::vector<Edge> subsegments_of(const RefinedGraph& refined) {
+  std::vector<Edge> ends;
+  for (const auto& part : refined.mesh.subsegments) ends.push_back(part.ends);
+  return ends;
+}
+
+/// What signs without a promise have made.
+void check(const GraphInput& input, const refinement::Refiner& refiner, RefinedGraph& refined) {
+  if (refined.report.mesh.outcome != Outcome::ok) return;
+  const std::vector<Edge> segments = subsegments_of(refined);
+  const auto verdict = verify::verify_constrained(
+      refined.mesh.points, {refined.mesh.triangles},
+      {segments, input.file.holes, static_cast<verify::Domain>(input.domain)},
+      {.kind = refiner.delaunay ? verify::Kind::delaunay : verify::Kind::triangulation, .max_faults = 1});
+  if (verdict.valid()) return;
+  refined.report.mesh.outcome = verdict.faults[0].kind == verify::FaultKind::non_delaunay
+                                    ? Outcome::non_delaunay
+                                    : Outcome::invalid_topology;
+  refined.report.mesh.reason = verdict.faults[0].detail;
+}
+
+struct Run {
+  RefinedGraph refined;
+  PredicateCounts predicates;
+  double seconds = 0;
+};
+
+/// Predicates are counted in a run of its own, so that counting costs no measured time.
+Run refine_once(const refinement::Refiner& refiner, const Settings& settings, const GraphInput& input,
+                const Kernel2& kernel, bool counted) {
+  Run run;
+  const Graph graph = input.graph();
+  const auto order = insertion_order(graph.points, Order::hilbert, 1);
+  const double start = bench::thread_seconds();
+  run.refined = refiner.run({graph, order, kernel, settings, input.file.sites.values});
+  run.seconds = bench::thread_seconds() - start;
+  if (counted)
+    refiner.run({graph, order, CountedKernel2(kernel, run.predicates), settings, input.file.sites.values});
+  return run;
+}
+
+/// Extreme angles in degrees; null where there is no triangle.
+json angles_json(const refinement::Refined& mesh) {
+  if (mesh.triangles.empty()) return {{"largest", nullptr}, {"smallest", nullptr}};
+  double smallest = 180, largest = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const auto [least, most] = refinement::extreme_angles({mesh.points[a], mesh.points[b], mesh.points[c]});
+    smallest = std::min(smallest, least);
+    largest = std::max(largest, most);
+  }
+  return {{"largest", largest}, {"smallest", smallest}};
+}
+
+json stats_json(const RefineOptions& options, const Settings& settings, const GraphInput& input,
+                const Run& run) {
+  const auto& [report, mesh, counts] = run.refined;
+  json stats{{"algorithm", options.algorithm},
+             {"parameters", settings},
+             {"backend", options.backend},
+             {"domain", to_string(input.domain)},
+             {"n", input.file.sites.points.size()},
+             {"segments", input.file.segments.size()},
+             {"vertices", mesh.points.size()},
+             {"triangles", mesh.triangles.size()},
+             {"subsegments", mesh.subsegments.size()},
+             {"outcome", to_string(report.mesh.outcome)},
+             {"reason", report.mesh.reason},
+             {"angles", angles_json(mesh)},
+             {"counts", json::object()},
+             {"predicates", predicates_json(run.predicates)},
+             {"digest", to_hex(digest(mesh.triangles))},
+             {"seconds", run.seconds}};
+  for (const auto& [name, value] : counts) stats["counts"][std::string(name)] = value;
+  return stats;
+}
+
+void write_outputs(const RefineOptions& options, const GraphInput& input, const RefinedGraph& refined) {
+  const auto& mesh = refined.mesh;
+  const std::vector<Edge> segments = subsegments_of(refined);
+  if (!options.output.empty()) write_mesh(options.output, mesh.points, mesh.triangles);
+  if (!options.output.empty() && options.output != "-" && mesh_files(options.output).size() > 1)
+    write_poly(poly_beside(options.output), segments, input.file.holes);
+  if (!options.picture.empty()) write_picture(options.picture, mesh.points, mesh.triangles, segments);
+}
+
+void print_summary(Console console, const json& stats) {
+  std::vector<std::vector<std::string>> rows;
+  const auto text = [](const json& value) {
+    return value.is_string() ? value.get<std::string>() : value.dump();
+  };
+  for (const char* key : {"algorithm", "backend", "n", "segments", "vertices", "triangles", "outcome"})
+    rows.push_back({key, text(stats.at(key))});
+  for (const char* which : {"smallest", "largest"})
+    rows.push_back({std::string(which) + " angle", text(stats.at("angles").at(which))});
+  for (const auto& [name, value] : stats.at("counts").items()) rows.push_back({name, text(value)});
+  rows.push_back({"seconds", text(stats.at("seconds"))});
+  print_table(console, rows);
+}
+
+}  // namespace
+
+int refine(const RefineOptions& options, Console& console) {
+  const refinement::Refiner& refiner = refiner_named(options.algorithm);
+  const Settings settings = settings_for(refiner.name, refiner.parameters, options.settings);
+  const BackendEntry& backend = backend_named(options.backend);
+  check_outputs(options, console);
+  const GraphInput input = boundary_of(options);
+  const auto& points = input.file.sites;
+  const Kernel2Binding bound = backend.bind2(points.points);
+  if (const auto* refusal = std::get_if<Refusal>(&bound))
+    throw BadInput(options.boundary + ":" + std::to_string(points.lines[refusal->point]) + ": " +
+                   options.backend + ": " + refusal->reason);
+
+  const bool counted = console.json || !options.stats.empty();
+  Run run = refine_once(refiner, settings, input, *std::get<0>(bound), counted);
+  if (!backend.about->exact) check(input, refiner, run.refined);
+  const Triangulation& report = run.refined.report.mesh;
+  if (report.outcome == Outcome::refused_input) throw BadInput(describe(input, run.refined.report));
+  if (report.outcome == Outcome::out_of_domain)
+    throw BadInput(options.boundary + ": " + options.backend + ": " + report.reason);
+
+  const json stats = stats_json(options, settings, input, run);
+  if (!options.stats.empty()) write_text(options.stats, stats.dump(2) + "\n");
+  if (console.json) print_json(console, stats);
+  if (report.outcome == Outcome::ok)
+    write_outputs(options, input, run.refined);
+  else
+    console.log << to_string(report.outcome) << ": " << report.reason << '\n';
+  const bool piped = options.output == "-" || options.stats == "-";
+  if (!console.json) print_summary({.out = piped ? console.log : console.out, .log = console.log}, stats);
+  return report.outcome == Outcome::ok ? good : judged_bad;
+}
+
+}  // namespace tribunal::cli
