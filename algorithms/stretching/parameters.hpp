@@ -29,8 +29,8 @@ inline constexpr std::array parameters{
             [] {
               return std::vector<std::string_view>{"inner", "all"};
             }},
-    Parameter{.name = "most-vertices",
-              .summary = "when to give up",
+    Parameter{.name = "vertices",
+              .summary = "give up beyond so many",
               .standard = "10000000",
               .least = 3,
               .most = 500'000'000},
