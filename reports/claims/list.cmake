@@ -64,4 +64,5 @@ set(tribunal_claims
     G6
     S7
     S7-thin
-    S7-work)
+    S7-work
+    S8)
