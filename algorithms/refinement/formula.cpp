@@ -246,6 +246,11 @@ bool takes_two(Operation operation) {
 Formula::Formula(std::string_view text, std::span<const std::string_view> variables)
     : program_(Parser(text, variables).run()) {}
 
+bool Formula::is_constant() const {
+  return std::none_of(program_.begin(), program_.end(),
+                      [](const Instruction& step) { return step.operation == Operation::variable; });
+}
+
 double Formula::operator()(std::span<const double> values) const {
   std::vector<double> stack;
   stack.reserve(program_.size());

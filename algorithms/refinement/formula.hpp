@@ -22,6 +22,9 @@ class Formula {
   /// The value where the variables have these values, in their order. Outside a function's domain NaN.
   double operator()(std::span<const double> values) const;
 
+  /// Whether it names no variable.
+  bool is_constant() const;
+
   enum class Operation : std::uint8_t {
     number,
     variable,

@@ -39,10 +39,8 @@ Size Size::parse(std::string_view text) {
   if (text == "none") return {};
   if (text == "boundary") return {Kind::boundary, 0, {}};
   const Formula formula(text, place);
-  const double nowhere = std::numeric_limits<double>::quiet_NaN();
-  const double value = formula(std::array{nowhere, nowhere});
-  if (std::isnan(value) && text.find_first_of("xy") != std::string_view::npos)
-    return {Kind::formula, 0, formula};
+  if (!formula.is_constant()) return {Kind::formula, 0, formula};
+  const double value = formula({});
   if (!(value > 0) || !std::isfinite(value))
     throw Abandon(Outcome::refused_input, "a size is positive, and " + std::string(text) + " is not");
   return {Kind::uniform, value, {}};

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 
 namespace tribunal::refinement {
 namespace {
@@ -25,6 +27,25 @@ Point2 nearest_on(Point2 a, Point2 b, double t) {
   const RationalPoint p = rational(a), q = rational(b);
   const mpq_class s(t);
   return nearest({p.x + s * (q.x - p.x), p.y + s * (q.y - p.y)});
+}
+
+/// The place itself, then its neighbours, then theirs.
+constexpr auto steps_around = [] {
+  std::array<std::array<int, 2>, 25> steps{};
+  std::size_t next = 0;
+  for (int ring = 0; ring <= 2; ++ring)
+    for (int x = -ring; x <= ring; ++x)
+      for (int y = -ring; y <= ring; ++y)
+        if (std::max(x < 0 ? -x : x, y < 0 ? -y : y) == ring) steps[next++] = {x, y};
+  return steps;
+}();
+
+/// The double so many doubles further up.
+double stepped(double x, int steps) {
+  const double towards =
+      steps < 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
+  for (int i = steps < 0 ? -steps : steps; i > 0; --i) x = std::nextafter(x, towards);
+  return x;
 }
 
 }  // namespace
@@ -99,25 +120,34 @@ std::optional<Index> SteinerMesh::split(HalfEdge h, double t) {
   const auto [from, to] = stretch(h);
   if (!(std::min(from, to) < t && t < std::max(from, to))) return std::nullopt;
   const Edge ends = piece_ends(h);
-  const Point2 p = nearest_on(point(ends[0]), point(ends[1]), t);
-  require_admitted(p);
-  if (!admits_split(h, p)) return std::nullopt;
-  roles_.push_back(Role::on_segment);
-  parameters_.push_back(t);
-  return mesh_.insert_on(h, p);
+  const Point2 nearest = nearest_on(point(ends[0]), point(ends[1]), t);
+  for (const auto& [right, up] : steps_around) {
+    const Point2 p{{stepped(nearest[0], right), stepped(nearest[1], up)}};
+    require_admitted(p);
+    if (!admits_split(h, p)) continue;
+    roles_.push_back(Role::on_segment);
+    parameters_.push_back(t);
+    return mesh_.insert_on(h, p);
+  }
+  return std::nullopt;
 }
 
 /// Inside the circles of the triangles beside the edge a rounded point conflicts with both, as one on the
-/// edge does, so that swaps make the mesh constrained Delaunay again.
+/// edge does, so that swaps make the mesh constrained Delaunay again. The boundary bends inwards only: so the
+/// domain never grows, and parts of it never come to overlap, whatever lies outside.
 bool SteinerMesh::admits_split(HalfEdge h, Point2 p) const {
   const PlanarMesh& t = triangles();
   const Kernel2& kernel = mesh_.kernel();
   for (const HalfEdge side : {h, t.twin(h)}) {
-    if (t.is_ghost(triangle_of(side))) continue;
-    const Point2 a = point(t.from(side)), b = point(t.to(side)), c = point(t.corner(side));
-    if (kernel.orient2d(a, p, c) != Sign::positive || kernel.orient2d(p, b, c) != Sign::positive)
+    const Point2 a = point(t.from(side)), b = point(t.to(side));
+    if (!in_domain(triangle_of(side))) {
+      if (kernel.orient2d(a, b, p) == Sign::positive) return false;
+      continue;
+    }
+    const Point2 c = point(t.corner(side));
+    if (kernel.orient2d(a, p, c) != Sign::positive || kernel.orient2d(p, b, c) != Sign::positive ||
+        kernel.incircle(a, b, c, p) != Sign::positive)
       return false;
-    if (in_domain(triangle_of(side)) && kernel.incircle(a, b, c, p) != Sign::positive) return false;
   }
   return true;
 }

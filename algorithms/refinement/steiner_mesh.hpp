@@ -36,8 +36,8 @@ enum class Role : std::uint8_t {
 };
 
 /// Every operation leaves a constrained Delaunay triangulation of the domain, no cell inverted or flat, each
-/// segment a path of held edges. All decisions are signs of the kernel; a point that it does not admit ends
-/// in Abandon (out_of_domain).
+/// segment a path of held edges. What lies outside the domain is not kept in order. All decisions are signs
+/// of the kernel; a point that it does not admit ends in Abandon (out_of_domain).
 class SteinerMesh {
  public:
   /// The mesh of the graph's domain, sites inserted in `order` (a permutation of all points). Throws as
@@ -80,8 +80,9 @@ class SteinerMesh {
   const Edge& piece_ends(HalfEdge h) const { return piece_ends_[mesh_.piece(h)]; }
 
   /// Splits the held edge h at parameter t of its piece: at the double point nearest to that place on the
-  /// segment (so that bends do not add up). Nothing, and nothing is changed, where rounding would put it
-  /// outside the circles beside the edge or invert a cell, or where no double lies between.
+  /// segment, so that bends do not add up, or at one at most two doubles away in x and in y, where the
+  /// nearest one lies outside the circles beside the edge, would invert a cell or make the domain grow.
+  /// Nothing, and nothing is changed, where all of them do, or where no double lies between.
   std::optional<Index> split(HalfEdge h, double t);
   /// In the middle.
   std::optional<Index> split(HalfEdge h);

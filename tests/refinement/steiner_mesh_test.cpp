@@ -1,18 +1,15 @@
 // Steiner points in and out at random: after every operation the exact checker judges the whole mesh.
 #include "algorithms/refinement/steiner_mesh.hpp"
 
-#include "algorithms/constrained/rational_point.hpp"
 #include "algorithms/mesh/canonical.hpp"
-#include "algorithms/verify/verify.hpp"
 #include "datasets/dataset.hpp"
 #include "predicates/backends/list.hpp"
 #include "tests/constrained/lattice_graph.hpp"
+#include "tests/refinement/judged.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
 
@@ -44,23 +41,10 @@ struct Subject {
   }
 };
 
-std::vector<Edge> ends_of(const Refined& refined) {
-  std::vector<Edge> ends;
-  for (const Subsegment& part : refined.subsegments) ends.push_back(part.ends);
-  return ends;
-}
-
-/// The exact checker's word on a mesh and the pieces of its segments. A hull is bounded by held edges, too.
+/// The checker's word. A hull is bounded by held edges, too.
 std::string faults_of(const Refined& refined, const LatticeGraph& graph, Domain domain) {
-  const std::vector<Edge> segments = ends_of(refined);
   const auto meant = domain == Domain::even_odd ? verify::Domain::even_odd : verify::Domain::carved;
-  const auto holes = domain == Domain::hull ? std::vector<Point2>{} : graph.holes;
-  const auto verdict =
-      verify::verify_constrained(refined.points, {refined.triangles}, {segments, holes, meant});
-  std::string text;
-  for (const auto& fault : verdict.faults)
-    text.append(verify::to_string(fault.kind)).append(": ").append(fault.detail).append("\n");
-  return text;
+  return faults_of(refined, domain == Domain::hull ? std::vector<Point2>{} : graph.holes, meant);
 }
 
 Index random_triangle(const SteinerMesh& mesh, Random& random) {
@@ -97,51 +81,6 @@ bool operate(SteinerMesh& mesh, Random& random) {
   return true;
 }
 
-/// Whether q is the double point nearest to somewhere on the segment ab: the segment meets the box of what
-/// rounds to q.
-bool rounds_to(Point2 a, Point2 b, Point2 q) {
-  mpq_class first = 0, last = 1;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double up = std::nextafter(q[axis], std::numeric_limits<double>::infinity());
-    const double down = std::nextafter(q[axis], -std::numeric_limits<double>::infinity());
-    const mpq_class low = (mpq_class(q[axis]) + mpq_class(down)) / 2,
-                    high = (mpq_class(q[axis]) + mpq_class(up)) / 2;
-    const mpq_class from(a[axis]), way = mpq_class(b[axis]) - from;
-    if (way == 0) {
-      if (from < low || high < from) return false;
-      continue;
-    }
-    const mpq_class s = (low - from) / way, t = (high - from) / way;
-    first = std::max(first, std::min(s, t));
-    last = std::min(last, std::max(s, t));
-  }
-  return first <= last;
-}
-
-/// The subsegments of each segment must be a path between its ends, of points that round to it.
-void expect_paths(const Refined& refined, const LatticeGraph& graph) {
-  std::map<Index, std::map<Index, int>> ends;
-  for (const Subsegment& part : refined.subsegments) {
-    if (part.segment == no_segment) continue;
-    const Edge& whole = graph.segments[part.segment];
-    for (const Index v : part.ends) {
-      ++ends[part.segment][v];
-      EXPECT_TRUE(rounds_to(graph.points[whole[0]], graph.points[whole[1]], refined.points[v]));
-    }
-  }
-  for (Index s = 0; s < graph.segments.size(); ++s) {
-    const Point2 a = graph.points[graph.segments[s][0]], b = graph.points[graph.segments[s][1]];
-    int loose = 0;
-    for (const auto& [v, count] : ends[s]) {
-      EXPECT_LE(count, 2);
-      if (count == 2) continue;
-      ++loose;
-      EXPECT_TRUE(refined.points[v] == a || refined.points[v] == b);
-    }
-    EXPECT_EQ(loose, a == b ? 0 : 2);
-  }
-}
-
 constexpr std::array domains{Domain::hull, Domain::carved, Domain::even_odd};
 
 TEST(SteinerMesh, EveryOperationLeavesAConstrainedDelaunayMesh) {
@@ -161,7 +100,7 @@ TEST(SteinerMesh, EveryOperationLeavesAConstrainedDelaunayMesh) {
       const Refined refined = subject.mesh->result();
       EXPECT_EQ(faults_of(refined, subject.graph, domain), "");
     }
-    expect_paths(subject.mesh->result(), subject.graph);
+    expect_paths(subject.mesh->result(), subject.graph.points, subject.graph.segments);
   }
   EXPECT_GT(graphs, 300);
   EXPECT_GT(done, 5000);
