@@ -1,18 +1,31 @@
 #include "bench/input.hpp"
 
-#include "datasets/dataset.hpp"
 #include "datasets/files/files.hpp"
 #include "predicates/backends/list.hpp"
 
 #include <set>
+#include <utility>
 
 namespace tribunal::bench {
 
-std::vector<Point2> cell_points(const Cell& cell) {
+namespace {
+const Dataset& cell_dataset(const Cell& cell) {
   const Dataset* dataset = find_dataset(cell.dataset);
   if (dataset == nullptr) throw BadInput("no dataset is named \"" + cell.dataset + "\"");
-  std::vector<Point2> points = dataset->generate(cell.n, cell.seed);
+  return *dataset;
+}
+}  // namespace
+
+std::vector<Point2> cell_points(const Cell& cell) {
+  std::vector<Point2> points = cell_dataset(cell).generate(cell.n, cell.seed);
   return cell.bits > 0 ? quantise(points, cell.bits) : points;
+}
+
+DatasetGraph cell_graph(const Cell& cell) {
+  const Dataset& dataset = cell_dataset(cell);
+  if (dataset.graph == nullptr) throw BadInput("dataset \"" + cell.dataset + "\" has no segments");
+  DatasetGraph graph = dataset.graph(cell.n, cell.seed);
+  return cell.bits > 0 ? quantise(std::move(graph), cell.bits) : graph;
 }
 
 std::vector<Point2> distinct_points(std::span<const Point2> points) {

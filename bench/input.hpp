@@ -3,6 +3,7 @@
 
 #include "algorithms/triangulation.hpp"
 #include "bench/row.hpp"
+#include "datasets/dataset.hpp"
 #include "predicates/kernel.hpp"
 
 #include <cstdint>
@@ -13,6 +14,9 @@ namespace tribunal::bench {
 
 /// The cell's dataset, quantised if it says so. Throws BadInput when there is no such dataset.
 std::vector<Point2> cell_points(const Cell& cell);
+
+/// The same with segments. Throws BadInput also when the dataset has none.
+DatasetGraph cell_graph(const Cell& cell);
 
 /// The points without repetitions, each at its first place. O(n log n).
 std::vector<Point2> distinct_points(std::span<const Point2> points);

@@ -206,6 +206,9 @@ class CommandLine {
     verb->add_option("--domain", verify_options.domain,
                      "of kind constrained: hull, carved, even-odd, or auto: polygons even-odd, .poly carved")
         ->capture_default_str();
+    verb->add_option("--criterion", verify_options.criterion,
+                     "of kind constrained, what free edges satisfy: delaunay or none")
+        ->capture_default_str();
   }
   void add_optimize() {
     auto& o = optimize_options;

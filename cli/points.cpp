@@ -11,20 +11,11 @@
 namespace tribunal::cli {
 namespace {
 
-/// Brings the graph to the lattice; segments that it leaves without length go.
-void quantise_graph(DatasetGraph& graph, int bits) {
-  const std::size_t size = graph.points.size();
-  graph.points.insert(graph.points.end(), graph.holes.begin(), graph.holes.end());
-  graph.points = quantise(graph.points, bits);
-  graph.holes.assign(graph.points.begin() + static_cast<std::ptrdiff_t>(size), graph.points.end());
-  graph.points.resize(size);
-  std::erase_if(graph.segments, [&](const auto& s) { return graph.points[s[0]] == graph.points[s[1]]; });
-}
 
 /// A .poly with the .node file beside that holds its points.
 int write_graph(const PointsOptions& options, const Dataset& dataset, Console& console) {
   DatasetGraph graph = generate_graph(dataset, options.n, options.seed);
-  if (options.bits != 0) quantise_graph(graph, options.bits);
+  if (options.bits != 0) graph = quantise(std::move(graph), options.bits);
   write_points(std::filesystem::path(options.output).replace_extension(".node"), graph.points);
   write_poly(options.output, graph.segments, graph.holes, "carved");
   if (console.json)

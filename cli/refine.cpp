@@ -38,12 +38,13 @@ std::vector<Edge> subsegments_of(const RefinedGraph& refined) {
 }
 
 /// What signs without a promise have made.
-void check(const GraphInput& input, RefinedGraph& refined) {
+void check(const GraphInput& input, const refinement::Refiner& refiner, RefinedGraph& refined) {
   if (refined.report.mesh.outcome != Outcome::ok) return;
   const std::vector<Edge> segments = subsegments_of(refined);
   const auto verdict = verify::verify_constrained(
       refined.mesh.points, {refined.mesh.triangles},
-      {segments, input.file.holes, static_cast<verify::Domain>(input.domain)}, {.max_faults = 1});
+      {segments, input.file.holes, static_cast<verify::Domain>(input.domain)},
+      {.kind = refiner.delaunay ? verify::Kind::delaunay : verify::Kind::triangulation, .max_faults = 1});
   if (verdict.valid()) return;
   refined.report.mesh.outcome = verdict.faults[0].kind == verify::FaultKind::non_delaunay
                                     ? Outcome::non_delaunay
@@ -64,9 +65,10 @@ Run refine_once(const refinement::Refiner& refiner, const Settings& settings, co
   const Graph graph = input.graph();
   const auto order = insertion_order(graph.points, Order::hilbert, 1);
   const double start = bench::thread_seconds();
-  run.refined = refiner.run({graph, order, kernel, settings});
+  run.refined = refiner.run({graph, order, kernel, settings, input.file.sites.values});
   run.seconds = bench::thread_seconds() - start;
-  if (counted) refiner.run({graph, order, CountedKernel2(kernel, run.predicates), settings});
+  if (counted)
+    refiner.run({graph, order, CountedKernel2(kernel, run.predicates), settings, input.file.sites.values});
   return run;
 }
 
@@ -150,7 +152,7 @@ int refine(const RefineOptions& options, Console& console) {
 
   const bool counted = console.json || !options.stats.empty();
   Run run = refine_once(refiner, settings, input, *std::get<0>(bound), counted);
-  if (!backend.about->exact) check(input, run.refined);
+  if (!backend.about->exact) check(input, refiner, run.refined);
   const Triangulation& report = run.refined.report.mesh;
   if (report.outcome == Outcome::refused_input) throw BadInput(describe(input, run.refined.report));
   if (report.outcome == Outcome::out_of_domain)

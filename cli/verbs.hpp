@@ -50,7 +50,8 @@ int triangulate(const TriangulateOptions& options, Console& console);
 struct VerifyOptions {
   std::string points, mesh;
   std::string kind = "delaunay";
-  std::string domain = "auto";  ///< with kind constrained: hull, carved, even-odd or auto
+  std::string domain = "auto";         ///< with kind constrained: hull, carved, even-odd or auto
+  std::string criterion = "delaunay";  ///< of the free edges, with kind constrained: delaunay or none
 };
 int verify(const VerifyOptions& options, Console& console);
 

@@ -26,7 +26,8 @@ tribunal::verify::Verdict check_constrained(const VerifyOptions& options, const 
   const Domain domain = domain_named(options.domain, file);
   return tribunal::verify::verify_constrained(
       file.sites.points, {mesh.triangles},
-      {file.segments, file.holes, static_cast<tribunal::verify::Domain>(domain)}, {.max_faults = max_faults});
+      {file.segments, file.holes, static_cast<tribunal::verify::Domain>(domain)},
+      {.kind = options.criterion == "none" ? Kind::triangulation : Kind::delaunay, .max_faults = max_faults});
 }
 
 }  // namespace
@@ -37,6 +38,10 @@ int verify(const VerifyOptions& options, Console& console) {
   if (!constrained && options.kind != "delaunay" && options.kind != "triangulation")
     throw BadUsage("--kind " + options.kind + ": delaunay, triangulation or constrained");
   if (!constrained && options.domain != "auto") throw BadUsage("--domain goes with --kind constrained");
+  if (options.criterion != "delaunay" && options.criterion != "none")
+    throw BadUsage("--criterion " + options.criterion + ": delaunay or none");
+  if (options.criterion == "none" && !constrained)
+    throw BadUsage("--criterion none goes with --kind constrained");
   PslgFile file;
   if (constrained)
     file = graph_of(options);

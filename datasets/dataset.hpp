@@ -47,6 +47,9 @@ const Dataset* find_dataset(std::string_view name);
 /// go to the origin.
 std::vector<Point2> quantise(std::span<const Point2> points, int bits);
 
+/// Points and holes of a graph by one scale and one shift; segments that this leaves without length go.
+DatasetGraph quantise(DatasetGraph graph, int bits);
+
 /// Insertion orders.
 enum class Order : std::uint8_t { random, input, hilbert, x, brio };
 

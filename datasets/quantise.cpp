@@ -71,4 +71,14 @@ std::vector<Point2> quantise(std::span<const Point2> points, int bits) {
   return lattice;
 }
 
+DatasetGraph quantise(DatasetGraph graph, int bits) {
+  const auto size = static_cast<std::ptrdiff_t>(graph.points.size());
+  graph.points.insert(graph.points.end(), graph.holes.begin(), graph.holes.end());
+  graph.points = quantise(graph.points, bits);
+  graph.holes.assign(graph.points.begin() + size, graph.points.end());
+  graph.points.resize(static_cast<std::size_t>(size));
+  std::erase_if(graph.segments, [&](const auto& s) { return graph.points[s[0]] == graph.points[s[1]]; });
+  return graph;
+}
+
 }  // namespace tribunal

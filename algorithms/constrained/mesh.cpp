@@ -89,6 +89,20 @@ Index Mesh::insert_on(HalfEdge h, Point2 position) {
   return vertex;
 }
 
+Index Mesh::place_into(Index t, Point2 position) {
+  const Index vertex = add_vertex(position);
+  split_triangle(t, vertex);
+  suspects_.clear();
+  return vertex;
+}
+
+Index Mesh::place_on(HalfEdge h, Point2 position) {
+  const Index vertex = add_vertex(position);
+  split_edge(h, vertex);
+  suspects_.clear();
+  return vertex;
+}
+
 Index Mesh::add_vertex(Point2 position) {
   points_.push_back(position);
   incident_.push_back(0);

@@ -64,6 +64,10 @@ class Mesh {
   /// ones.
   Index insert_on(HalfEdge h, Point2 position);
 
+  /// The same two without any swaps, for criteria other than circles.
+  Index place_into(Index t, Point2 position);
+  Index place_on(HalfEdge h, Point2 position);
+
   /// Swaps the diagonal h, not held, of a convex quadrilateral.
   void swap(HalfEdge h);
   /// Swaps edges until none of `suspects` and of those that become suspect violates its circle. Held edges

@@ -77,7 +77,8 @@ class Chew {
     ++counts_.tests;
     const Corners corners = mesh_.corners(t);
     const auto edges = squared_edges(corners);
-    const bool large = *std::max_element(edges.begin(), edges.end()) > size_.squared_limit(mesh_, t);
+    const bool large = *std::max_element(edges.begin(), edges.end()) > size_.squared_limit(mesh_, t) ||
+                       (options_.measure != nullptr && options_.measure->fails(mesh_, t));
     if (!large && !is_sharper(corners, options_.bound)) return;
     if (!large && small_.forces(mesh_, t)) {
       return;
@@ -171,12 +172,18 @@ std::uint64_t count_sharper(const Refined& mesh, AngleBound bound) {
 
 }  // namespace
 
+ChewCounts refine_mesh(SteinerMesh& mesh, const ChewOptions& options) {
+  ChewCounts counts;
+  Chew(mesh, options, counts).run();
+  return counts;
+}
+
 Refinement refine_by_circumcentres(const Graph& graph, std::span<const Index> order, const Kernel2& kernel,
                                    const ChewOptions& options) {
   Refinement result;
   constrained::report_refusals(result.report, [&] {
     SteinerMesh mesh(graph, order, kernel);
-    Chew(mesh, options, result.counts).run();
+    result.counts = refine_mesh(mesh, options);
     result.mesh = mesh.result();
     result.counts.forced = count_sharper(result.mesh, options.bound);
   });

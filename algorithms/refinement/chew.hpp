@@ -2,6 +2,7 @@
 #pragma once
 
 #include "algorithms/constrained/constrained.hpp"
+#include "algorithms/refinement/measure.hpp"
 #include "algorithms/refinement/shape.hpp"
 #include "algorithms/refinement/size_field.hpp"
 #include "algorithms/refinement/steiner_mesh.hpp"
@@ -15,6 +16,7 @@ struct ChewOptions {
   AngleBound bound = AngleBound::degrees(30);
   Size size = {};
   std::uint64_t most_vertices = 2'000'000;
+  TriangleMeasure* measure = nullptr;  ///< what triangles may fail, too; null: nothing
 };
 
 struct ChewCounts {
@@ -36,6 +38,9 @@ struct Refinement {
   Refined mesh;
   ChewCounts counts;
 };
+
+/// Refines a mesh. Throws Abandon. See below.
+ChewCounts refine_mesh(SteinerMesh& mesh, const ChewOptions& options);
 
 /// Refines the graph's domain as Barth's section 3.5 describes it (Chew 1989, 1993): of the triangles that
 /// fail, the one of the largest circumcircle comes first; its circumcentre, rounded, is inserted if it is

@@ -15,9 +15,10 @@ namespace tribunal::refinement {
 
 struct RefinementProblem {
   const Graph& graph;
-  std::span<const Index> order;  ///< of insertion of the graph's points
-  const Kernel2& kernel;         ///< bound to them
-  Settings settings = {};        ///< accepted
+  std::span<const Index> order;         ///< of insertion of the graph's points
+  const Kernel2& kernel;                ///< bound to them
+  Settings settings = {};               ///< accepted
+  std::span<const double> values = {};  ///< of a field at the graph's points; empty where there is none
 };
 
 struct RefinedGraph {
@@ -32,6 +33,8 @@ struct Refiner {
   std::string_view summary;  ///< one line
   std::span<const Parameter> parameters = {};
   RefinedGraph (*run)(const RefinementProblem&);  ///< failures are outcomes
+  bool delaunay =
+      true;  ///< whether the mesh is constrained Delaunay; a constrained triangulation it always is
 };
 
 /// All there are, in the order in which they are listed to users.

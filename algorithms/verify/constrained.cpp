@@ -14,7 +14,7 @@
 // (faces.cpp).
 //
 // Every segment is a union of edges as far as it runs inside the domain (pieces.cpp), and every edge that is
-// no piece of one is locally Delaunay, which makes the triangulation constrained Delaunay (Lee and Lin 1986).
+// no piece of one is locally Delaunay (where that is asked for), which makes the triangulation constrained Delaunay (Lee and Lin 1986).
 #include "algorithms/verify/boundary.hpp"
 #include "algorithms/verify/crossing.hpp"
 #include "algorithms/verify/delaunay.hpp"
@@ -108,7 +108,8 @@ Verdict verify_constrained(std::span<const Point2> points, const Mesh& mesh, con
       check_ends(triangles, uses, pieces, segments.domain, faults);
     }
     if (segments.domain == Domain::carved) check_regions(points, pieces, segments.holes, faults);
-    verdict.ties = check_circles(points, triangles, uses, faults, ends_of(pieces));
+    if (options.kind == Kind::delaunay)
+      verdict.ties = check_circles(points, triangles, uses, faults, ends_of(pieces));
   }
   verdict.found = faults.found();
   verdict.faults = faults.take();

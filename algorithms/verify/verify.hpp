@@ -93,8 +93,8 @@ struct Segments {
 };
 
 /// Checks that a mesh is the constrained Delaunay triangulation of points and segments: every segment is a
-/// union of edges (but for what lies outside the domain), edges on no segment are locally Delaunay, and the
-/// triangles cover the domain once and nothing else. Exact, like verify_planar, whose faults and exceptions
+/// union of edges (but for what lies outside the domain), edges on no segment are locally Delaunay (not asked
+/// of Kind::triangulation), and the triangles cover the domain once and nothing else. Exact, like verify_planar, whose faults and exceptions
 /// are these; throws std::invalid_argument also for a segment that names no point and a hole that is not
 /// finite. O(n log n), but for a look at everything for each hole, each region left out and each stretch of a
 /// segment outside the mesh.

@@ -7,6 +7,7 @@
 // one; further seeds begin anew.
 #include "datasets/generators/generators.hpp"
 #include "datasets/shapes/outline.hpp"
+#include "datasets/shapes/pslg_points.hpp"
 
 #include <algorithm>
 #include <array>
@@ -57,12 +58,6 @@ DatasetGraph graph(std::uint64_t n, std::uint64_t seed) {
   return graph;
 }
 
-std::vector<Point2> first_points(std::uint64_t n, std::uint64_t seed) {
-  std::vector<Point2> points = graph(n, seed).points;
-  points.resize(n);
-  return points;
-}
-
 }  // namespace
 
 constinit const Dataset high_lift{
@@ -71,7 +66,7 @@ constinit const Dataset high_lift{
               .summary = "NACA 4412 with slat and flap in a box: narrow gaps between curved walls",
               .fixed_size = 0,
               .integer = false},
-    .generate = first_points,
+    .generate = [](std::uint64_t n, std::uint64_t seed) { return first_points(graph(n, seed), n); },
     .graph = graph,
 };
 

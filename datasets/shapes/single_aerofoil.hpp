@@ -24,11 +24,4 @@ inline DatasetGraph single_aerofoil(std::uint64_t n, std::uint64_t seed, bool bl
   return graph;
 }
 
-/// The first n of its points.
-inline std::vector<Point2> aerofoil_points(std::uint64_t n, std::uint64_t seed, bool blunt) {
-  std::vector<Point2> points = single_aerofoil(n, seed, blunt).points;
-  points.resize(n);
-  return points;
-}
-
 }  // namespace tribunal::shapes

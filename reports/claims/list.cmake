@@ -54,6 +54,8 @@ set(tribunal_claims
     M4
     M5
     M6
+    M7
+    M7-spacing
     M8
     G1
     G2
@@ -70,4 +72,8 @@ set(tribunal_claims
     D4
     D5
     D6
-    D7)
+    D7
+    S7
+    S7-thin
+    S7-work
+    S8)

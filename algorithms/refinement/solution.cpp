@@ -1,0 +1,113 @@
+#include "algorithms/refinement/solution.hpp"
+
+#include "algorithms/location/stochastic_walk.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace tribunal::refinement {
+namespace {
+constexpr std::array<std::string_view, 2> place{"x", "y"};
+
+struct NamedFormula {
+  std::string_view name, text;
+};
+constexpr std::array<NamedFormula, 2> named{{{"shock", "tanh(60*(y - 1 + 1.2*x)) + tanh(60*(1.2*x - 1 - y))"},
+                                             {"slip-line", "tanh(60*(y - 0.5 - 0.1*sin(6*x)))"}}};
+
+std::string text_of(Point2 p) { return "x = " + std::to_string(p[0]) + ", y = " + std::to_string(p[1]); }
+
+class FormulaField : public Field {
+ public:
+  explicit FormulaField(std::string_view text) : formula_(text, place) {}
+  double at(Point2 p) override { return formula_(p.coordinate); }
+
+ private:
+  Formula formula_;
+};
+
+constrained::GraphMesh background(const Graph& graph, std::span<const Index> order, const Kernel2& kernel) {
+  const auto sites = constrained::distinct_sites(graph, order, kernel);
+  if (sites.collinear) throw Abandon(Outcome::refused_input, "all points lie on one line");
+  return build_graph_mesh(graph, sites, kernel, Recovery::cavity);
+}
+
+class LinearField : public Field {
+ public:
+  LinearField(const Graph& graph, std::span<const Index> order, const Kernel2& kernel,
+              std::span<const double> values)
+      : mesh_(background(graph, order, kernel)), places_(mesh_.point.size() + 1) {
+    for (Index v = 0; v < mesh_.point.size(); ++v) {
+      places_[v] = mesh_.mesh.point(v);
+      values_.push_back(values[mesh_.point[v]]);
+      if (!std::isfinite(values_.back()))
+        throw Abandon(Outcome::refused_input,
+                      "the value of point " + std::to_string(mesh_.point[v]) + " is not finite");
+    }
+  }
+
+  double at(Point2 p) override {
+    const PlanarMesh& t = mesh_.mesh.triangles();
+    places_.back() = p;
+    std::uint64_t steps = 0;
+    const Index found = walk_.locate(static_cast<Index>(places_.size() - 1), steps);
+    if (t.is_ghost(found)) throw Abandon(Outcome::inconsistent_predicate, "a vertex lies outside the hull");
+    double sum = 0, weights = 0;
+    for (HalfEdge h = 3 * found; h < 3 * found + 3; ++h) {
+      const Point2 a = places_[t.from(h)], b = places_[t.to(h)];
+      const double area = (a[0] - p[0]) * (b[1] - p[1]) - (a[1] - p[1]) * (b[0] - p[0]);
+      sum += std::max(area, 0.0) * values_[t.corner(h)];
+      weights += std::max(area, 0.0);
+    }
+    return weights > 0 ? sum / weights : values_[t.corner(3 * found)];
+  }
+
+ private:
+  constrained::GraphMesh mesh_;
+  std::vector<Point2> places_;  // of the vertices, and of where a value is wanted
+  std::vector<double> values_;
+  PlanarProblem problem_{places_, {}, mesh_.mesh.kernel()};
+  StochasticWalk walk_{problem_, mesh_.mesh.triangles()};
+};
+
+}  // namespace
+
+std::optional<std::string_view> named_formula(std::string_view name) {
+  for (const auto& [known, text] : named)
+    if (known == name) return text;
+  return std::nullopt;
+}
+
+std::unique_ptr<Field> formula_field(std::string_view text) {
+  return std::make_unique<FormulaField>(named_formula(text).value_or(text));
+}
+
+std::unique_ptr<Field> linear_field(const Graph& graph, std::span<const Index> order, const Kernel2& kernel,
+                                    std::span<const double> values) {
+  return std::make_unique<LinearField>(graph, order, kernel, values);
+}
+
+double SolutionMeasure::value(const SteinerMesh& mesh, Index vertex) {
+  if (vertex >= values_.size())
+    values_.resize(vertex + std::size_t{1}, std::numeric_limits<double>::quiet_NaN());
+  if (std::isnan(values_[vertex])) values_[vertex] = field_.at(mesh.point(vertex));
+  if (!std::isfinite(values_[vertex]))
+    throw Abandon(Outcome::refused_input, "the field is not finite at " + text_of(mesh.point(vertex)));
+  return values_[vertex];
+}
+
+double SolutionMeasure::of(const SteinerMesh& mesh, Index t) {
+  const Triangle v = mesh.triangles().triangle(t);
+  double largest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Index a = v[i], b = v[(i + 1) % 3];
+    const double dx = mesh.point(a)[0] - mesh.point(b)[0], dy = mesh.point(a)[1] - mesh.point(b)[1];
+    largest = std::max(largest, std::abs(value(mesh, a) - value(mesh, b)) * std::sqrt(dx * dx + dy * dy));
+  }
+  return largest;
+}
+
+}  // namespace tribunal::refinement
