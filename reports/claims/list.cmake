@@ -59,4 +59,10 @@ set(tribunal_claims
     G4-early
     G4-gilbert
     G5
-    G6)
+    G6
+    S1
+    S2
+    S3
+    S4
+    S5
+    S6)
