@@ -88,7 +88,7 @@ constinit const Dataset generators::gulf{
     .about = {.name = "gulf",
               .cites = "U.S. Census Bureau 2017, through us-atlas 3.0.1",
               .summary = "the Gulf of Mexico as a domain: a real coast, the sea before it, islands as holes",
-              .fixed_size = 0,
+              .fixed_size = 820,
               .integer = true},
     .generate =
         [](std::uint64_t n, std::uint64_t seed) {

@@ -73,6 +73,12 @@ set(tribunal_claims
     D5
     D6
     D7
+    S1
+    S2
+    S3
+    S4
+    S5
+    S6
     S7
     S7-thin
     S7-work
