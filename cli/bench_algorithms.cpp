@@ -60,7 +60,7 @@ std::vector<std::vector<std::string>> combinations(const std::vector<std::string
 
 /// The product of what the user named, each with its default.
 std::vector<Method> chosen_methods(const BenchOptions& options) {
-  const auto or_else = [](std::vector<std::string> given, const char* standard) {
+  const auto or_else = [](const std::vector<std::string>& given, const char* standard) {
     return given.empty() ? std::vector<std::string>{standard} : given;
   };
   std::vector<Method> methods;

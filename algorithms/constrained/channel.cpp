@@ -152,6 +152,7 @@ struct Rim {
 
 std::vector<Rim> rim_of(const Mesh& mesh, const std::vector<HalfEdge>& sides) {
   std::vector<Rim> rim;
+  rim.reserve(sides.size());
   for (const HalfEdge h : sides) rim.push_back({h, mesh.triangles().twin(h), mesh.piece(h)});
   return rim;
 }

@@ -100,6 +100,7 @@ class FlipEngine {
     }
     std::sort(by_ends.begin(), by_ends.end());
     std::vector<Index> edges;
+    edges.reserve(by_ends.size());
     for (const auto& [ends, edge] : by_ends) edges.push_back(edge);
     if (scan == Scan::descending) std::reverse(edges.begin(), edges.end());
     if (scan == Scan::shuffled) random.shuffle(std::span(edges));

@@ -1,7 +1,6 @@
 #include "bench/fuzz/shapes.hpp"
 
 #include <array>
-#include <bit>
 #include <cstdint>
 
 namespace tribunal::bench::fuzz {
@@ -98,8 +97,7 @@ void sphere(Random& random, int bits, Case& asked) {
   const std::int64_t half = half_of(bits);
   // The root of an eighth of the box, rounded down to a power of two: its quadratic forms stay in half the
   // box.
-  const std::int64_t root = std::int64_t{1}
-                            << ((std::bit_width(static_cast<std::uint64_t>(half / 8)) - 1) / 2);
+  const std::int64_t root = std::int64_t{1} << ((bits - 4) / 2);
   const Vector centre = vector_within(random, asked.dimension(), half / 2 - 1);
   const Vector z = vector_within(random, 2, root), w = vector_within(random, 2, root);
   for (int i = 0; i < asked.points(); ++i) {

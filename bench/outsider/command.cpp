@@ -55,7 +55,7 @@ fs::path fill_in(std::string& command, const std::string& word, const std::strin
                  const fs::path& folder) {
   auto found = find_placeholder(command, word, 0);
   if (!found) throw BadInput("--command " + shell_word(command) + ": it names no {" + word + "}");
-  const fs::path file = folder / (word + (found->format.empty() ? format : found->format));
+  fs::path file = folder / (word + (found->format.empty() ? format : found->format));
   const std::string name = shell_word(file.string());
   for (; found; found = find_placeholder(command, word, found->place + name.size()))
     command.replace(found->place, found->length, name);

@@ -30,7 +30,8 @@ template <int D>
 std::vector<double> time_passes(const auto& kernel, Predicate predicate,
                                 const std::vector<Point<D>>& points) {
   const auto each = static_cast<std::size_t>(points_of(predicate));
-  const double queries = static_cast<double>(points.size() / each);
+  const std::size_t count = points.size() / each;
+  const auto queries = static_cast<double>(count);
   std::vector<double> passes;
   double spent = 0;
   volatile int signs = 0;  // read by nobody, so that no query is left out

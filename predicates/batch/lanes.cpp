@@ -18,7 +18,7 @@ constexpr std::size_t lane_count = TRIBUNAL_VECTOR_BYTES / sizeof(double);
 
 /// One coordinate of as many queries as a register holds.
 struct Lanes {
-  typedef double Vector __attribute__((vector_size(TRIBUNAL_VECTOR_BYTES)));
+  using Vector __attribute__((vector_size(TRIBUNAL_VECTOR_BYTES))) = double;
   Vector vector;
 
   friend Lanes operator+(Lanes a, Lanes b) { return {a.vector + b.vector}; }
@@ -34,8 +34,8 @@ Lanes load(const double* from) {
 
 template <class Formula>
 std::size_t filter(const double* const* columns, double threshold, std::int8_t* signs, std::size_t count) {
-  typedef std::int64_t Mask __attribute__((vector_size(TRIBUNAL_VECTOR_BYTES)));
-  typedef std::int8_t Bytes __attribute__((vector_size(lane_count)));
+  using Mask __attribute__((vector_size(TRIBUNAL_VECTOR_BYTES))) = std::int64_t;
+  using Bytes __attribute__((vector_size(lane_count))) = std::int8_t;
   const Lanes::Vector upper = threshold - Lanes::Vector{}, lower = -upper;
   std::size_t i = 0;
   for (; i + lane_count <= count; i += lane_count) {
