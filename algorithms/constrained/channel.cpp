@@ -160,14 +160,18 @@ std::vector<Rim> rim_of(const Mesh& mesh, const std::vector<HalfEdge>& sides) {
 /// Glues the new triangles to what lay around the channel. An edge that sticks into it has both sides on its
 /// rim.
 void glue_rim(Mesh& mesh, const std::vector<Rim>& rim, const Filling& filling) {
+  std::vector<std::pair<HalfEdge, std::size_t>> places;
+  places.reserve(rim.size());
+  for (std::size_t i = 0; i < rim.size(); ++i) places.emplace_back(rim[i].inside, i);
+  std::sort(places.begin(), places.end());
   for (std::size_t i = 0; i < rim.size(); ++i) {
-    const auto partner = std::find_if(rim.begin(), rim.end(),
-                                      [&](const Rim& other) { return other.inside == rim[i].outside; });
-    if (partner == rim.end()) {
+    const auto partner =
+        std::lower_bound(places.begin(), places.end(), std::pair{rim[i].outside, std::size_t{0}});
+    if (partner == places.end() || partner->first != rim[i].outside) {
       mesh.attach(filling.side(i), rim[i].outside);
       continue;
     }
-    mesh.join(filling.side(i), filling.side(static_cast<std::size_t>(partner - rim.begin())));
+    mesh.join(filling.side(i), filling.side(partner->second));
     mesh.hold(filling.side(i), rim[i].piece);
   }
 }

@@ -45,12 +45,14 @@ HalfEdge Mesh::link(Index vertex) const {
 }
 
 HalfEdge Mesh::edge(Index a, Index b) const {
-  const HalfEdge first = link(a);
-  HalfEdge h = first;
+  const HalfEdge first_at_a = link(a), first_at_b = link(b);
+  HalfEdge g = first_at_a, h = first_at_b;
   do {
-    if (mesh_.from(h) == b) return prev(h);
+    if (mesh_.from(g) == b) return prev(g);
+    if (mesh_.to(h) == a) return next(h);
+    g = next_link(g);
     h = next_link(h);
-  } while (h != first);
+  } while (g != first_at_a && h != first_at_b);
   return PlanarMesh::none;
 }
 

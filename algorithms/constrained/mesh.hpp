@@ -44,7 +44,7 @@ class Mesh {
   HalfEdge link(Index vertex) const;
   /// The next one counter-clockwise around the vertex opposite h.
   HalfEdge next_link(HalfEdge h) const { return next(mesh_.twin(next(h))); }
-  /// The half-edge from a to b, or PlanarMesh::none. O(degree of a).
+  /// The half-edge from a to b, or PlanarMesh::none. O(the smaller degree).
   HalfEdge edge(Index a, Index b) const;
 
   /// Inserts a new vertex at a position where there is none, by Green and Sibson's swaps: the mesh stays

@@ -22,9 +22,10 @@ class Neighbours {
   }
   std::span<const std::array<std::uint32_t, 2>> of(std::uint32_t vertex) const {
     const auto begin = std::lower_bound(pairs_.begin(), pairs_.end(), std::array{vertex, 0U});
-    auto end = begin;
-    while (end != pairs_.end() && (*end)[0] == vertex) ++end;
-    return {begin, end};
+    return {begin, std::upper_bound(begin, pairs_.end(), std::array{vertex, 0xFFFFFFFFU})};
+  }
+  bool has(std::uint32_t from, std::uint32_t to) const {
+    return std::binary_search(pairs_.begin(), pairs_.end(), std::array{from, to});
   }
 
  private:
@@ -97,9 +98,10 @@ class Follower {
 
  private:
   std::optional<std::uint32_t> along_edge(std::uint32_t a, std::uint32_t at, std::uint32_t b) const {
+    if (neighbours_.has(at, b)) return b;
     for (const auto& [from, to] : neighbours_.of(at))
-      if (to == b || (strictly_between(points_[at], points_[to], points_[b]) &&
-                      orientation(points_[a], points_[b], points_[to]) == Sign::zero))
+      if (strictly_between(points_[at], points_[to], points_[b]) &&
+          orientation(points_[a], points_[b], points_[to]) == Sign::zero)
         return to;
     return std::nullopt;
   }
