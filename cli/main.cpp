@@ -166,15 +166,19 @@ class CommandLine {
     verb->add_option("--backend", sign_options.backends, "only this backend; may be repeated")
         ->allow_extra_args(false);
   }
-  static void add_picture(CLI::App* verb, PictureOptions& o) {
+  static void add_picture(CLI::App* verb, PictureOptions& o, const char* colours) {
     verb->add_option("--picture", o.file, "picture of the mesh: .svg or .png");
-    verb->add_option("--colour", o.colour, "of its triangles: plain, angle, smallest-angle or field")
+    verb->add_option("--colour", o.colour, std::string("of its triangles: ") + colours)
         ->capture_default_str();
+    verb->add_option("--window", o.window, "show x0,y0,x1,y1 only");
+  }
+  /// Over the points that were given, which may have values.
+  static void add_picture(CLI::App* verb, PictureOptions& o) {
+    add_picture(verb, o, "plain, angle, smallest-angle or field");
     verb->add_option("--field", o.field, "what field and contours show: column or F1 to F6");
     verb->add_option("--contours", o.contours, "this many contour lines of the field")
         ->check(check_whole_number)
         ->check(CLI::Range(0, 100));
-    verb->add_option("--window", o.window, "show x0,y0,x1,y1 only");
     verb->add_option("--against", o.against, "mark the edges that this mesh over the same points lacks");
   }
   void add_triangulate() {
@@ -232,13 +236,13 @@ class CommandLine {
                           "tribunal refine gulf.poly --set angle=30 --set size=500 -o gulf.ele", o,
                           tribunal::cli::refine);
     verb->add_option("boundary", o.boundary, "segments and holes: .poly, .geojson or .wkt")->required();
-    verb->add_option("--algorithm", o.algorithm, "chew")->capture_default_str();
+    verb->add_option("--algorithm", o.algorithm, "chew, stretched or adaptive")->capture_default_str();
     verb->add_option("--set", o.settings, "a parameter of the algorithm, NAME=VALUE; may be repeated")
         ->allow_extra_args(false);
     verb->add_option("--backend", o.backend, "see tribunal list backends")->capture_default_str();
     verb->add_option("-o,--output", o.output, "mesh file: .ele, with .node and .poly beside it, or .off");
     verb->add_option("--stats", o.stats, "statistics as JSON");
-    verb->add_option("--picture", o.picture, "picture: .svg");
+    add_picture(verb, o.picture, "plain, angle or smallest-angle");
   }
   void add_bench() {
     auto& o = bench_options;

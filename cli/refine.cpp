@@ -113,7 +113,8 @@ void write_outputs(const RefineOptions& options, const GraphInput& input, const 
   if (!options.output.empty()) write_mesh(options.output, mesh.points, mesh.triangles);
   if (!options.output.empty() && options.output != "-" && mesh_files(options.output).size() > 1)
     write_poly(poly_beside(options.output), segments, input.file.holes, to_string(input.domain));
-  if (!options.picture.empty()) write_picture(options.picture, mesh.points, mesh.triangles, segments);
+  Picture(options.picture, options.boundary, input.file.sites, {})
+      .draw(mesh.points, mesh.triangles, segments);
 }
 
 void print_summary(Console console, const json& stats) {
@@ -136,12 +137,14 @@ int refine(const RefineOptions& options, Console& console) {
   const refinement::Refiner& refiner = refiner_named(options.algorithm);
   const Settings settings = settings_for(refiner.name, refiner.parameters, options.settings);
   const BackendEntry& backend = backend_named(options.backend);
-  if (!options.picture.empty()) require_picture_ending(options.picture);
+  check_picture(options.picture);
+  if (options.picture.colour == "field")
+    throw BadUsage("--colour field: new points have no values; there are plain, angle and smallest-angle");
   check_outputs({.inputs = {options.boundary},
                  .mesh = options.output,
                  .boundary = true,
                  .stats = options.stats,
-                 .picture = options.picture},
+                 .picture = options.picture.file},
                 console);
   const GraphInput input = boundary_of(options);
   const auto& points = input.file.sites;

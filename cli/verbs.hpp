@@ -73,7 +73,7 @@ struct RefineOptions {
   std::vector<std::string> settings;  ///< NAME=VALUE, of the algorithm
   std::string output;                 ///< mesh file; empty: none
   std::string stats;                  ///< statistics as JSON; empty: none
-  std::string picture;                ///< .svg; empty: none
+  PictureOptions picture;             ///< without a field to show
 };
 int refine(const RefineOptions& options, Console& console);
 
