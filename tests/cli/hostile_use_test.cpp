@@ -162,8 +162,8 @@ TEST(HostileUse, HelpAndErrorsHoldNoControlCharacters) {
     return std::all_of(text.begin(), text.end(),
                        [](unsigned char c) { return c == '\n' || !std::iscntrl(c); });
   };
-  for (const char* verb :
-       {"list", "points", "sign", "triangulate", "verify", "optimize", "run", "claims", "report", "cell"})
+  for (const char* verb : {"list", "points", "sign", "triangulate", "verify", "optimize", "refine", "run",
+                           "claims", "report", "cell"})
     EXPECT_TRUE(clean(tribunal({verb, "--help"}).out)) << verb;
   EXPECT_TRUE(clean(tribunal({"triangulate", "a\nb\x1b[31m.xy"}).err));
   EXPECT_TRUE(tribunal({"triangulate", "a\nb.xy"}).one_line_error());

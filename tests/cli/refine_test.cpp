@@ -1,90 +1,51 @@
-// refine: from a dataset's boundary to a mesh that the checker accepts.
+// refine, from boundary to mesh: outputs, statistics, and what is to blame where there is none.
 #include "tests/cli/program.hpp"
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 namespace tribunal::cli {
 namespace {
 
-struct Wing {
-  Folder folder;
-  std::string poly = folder / "wing.poly", mesh = folder / "mesh.ele", mesh_poly = folder / "mesh.poly";
-  Wing() { EXPECT_EQ(tribunal({"points", "aerofoil", "-n", "132", "-o", poly}).status, 0); }
-};
+const char* const frame =
+    "8 2 0 0\n0 0 0\n1 8 0\n2 8 8\n3 0 8\n4 3 3\n5 5 3\n6 5 5\n7 3 5\n"
+    "8 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n4 4 5\n5 5 6\n6 6 7\n7 7 4\n1\n0 4 4\n";
 
-TEST(RefineStretched, MakesAMeshThatIsRightButForItsCircles) {
-  const Wing wing;
-  const Ended ended = tribunal(
-      {"refine", wing.poly, "--algorithm", "stretched", "--set", "wall=1e-3", "-o", wing.mesh, "--json"});
-  ASSERT_EQ(ended.status, 0) << ended.err;
-  const auto stats = ended.json();
-  EXPECT_EQ(stats["vertices"], 132 + stats["counts"]["inserted"].get<int>());
-  EXPECT_LT(stats["angles"]["largest"], 150);
-  EXPECT_EQ(
-      tribunal({"verify", wing.mesh_poly, wing.mesh, "--kind", "constrained", "--criterion", "none"}).status,
-      0);
-  EXPECT_EQ(tribunal({"verify", wing.mesh_poly, wing.mesh, "--kind", "constrained"}).status, 1)
-      << "stretched triangles are not Delaunay";
-}
-
-TEST(RefineStretched, RefusesSpacingsThatAreNone) {
-  const Wing wing;
-  for (const char* wall : {"wall=0", "wall=-1e-4", "wall=nan", "growth=0.5", "wall=2e300"}) {
-    const Ended ended =
-        tribunal({"refine", wing.poly, "--algorithm", "stretched", "--set", wall, "-o", wing.mesh});
-    EXPECT_EQ(ended.status, 2) << wall;
-    EXPECT_TRUE(ended.one_line_error()) << ended.err;
-  }
-  EXPECT_EQ(tribunal({"verify", wing.poly, wing.mesh, "--kind", "constrained"}).status, 2)
-      << "nothing is written";
-}
-
-TEST(RefineAdaptive, FollowsAFormula) {
+TEST(Refine, WritesAMeshThatVerifies) {
   const Folder folder;
-  const std::string square = folder.write(
-      "square.poly", "4 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n");
-  const std::string mesh = folder / "mesh.ele";
-  const Ended ended = tribunal({"refine", square, "--algorithm", "adaptive", "--set", "field=shock", "--set",
-                                "tolerance=0.05", "-o", mesh, "--json"});
+  const std::string boundary = folder.write("frame.poly", frame), mesh = folder / "mesh.ele";
+  const Ended ended = tribunal({"refine", boundary, "--set", "size=0.5", "-o", mesh, "--picture",
+                                folder / "mesh.svg", "--stats", folder / "mesh.json", "--json"});
   ASSERT_EQ(ended.status, 0) << ended.err;
-  EXPECT_GT(ended.json()["vertices"], 100);
+  const auto stats = nlohmann::json::parse(ended.out);
+  EXPECT_EQ(stats["outcome"], "ok");
+  EXPECT_GE(stats["angles"]["smallest"].get<double>(), 29.999);
+  EXPECT_LE(stats["angles"]["largest"].get<double>(), 120.001);
+  EXPECT_GT(stats["counts"]["splits"].get<int>(), 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "mesh.svg"));
   EXPECT_EQ(tribunal({"verify", folder / "mesh.poly", mesh, "--kind", "constrained"}).status, 0);
 }
 
-TEST(RefineAdaptive, ReadsTheFieldOfThePoints) {
+TEST(Refine, RefusesInOneLineAndWritesNothing) {
   const Folder folder;
-  const std::string square = folder.write(
-      "square.poly", "4 2 1 0\n0 0 0 1\n1 1 0 1\n2 1 1 5\n3 0 1 5\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n");
-  const Ended ended =
-      tribunal({"refine", square, "--algorithm", "adaptive", "--set", "tolerance=0.1", "--json"});
-  ASSERT_EQ(ended.status, 0) << ended.err;
-  EXPECT_GT(ended.json()["vertices"], 20);
-}
-
-TEST(RefineAdaptive, RefusesFieldsThatAreNoNumbersOrNotThere) {
-  const Folder folder;
-  const std::string points = "4 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n";
-  const std::string square = folder.write("square.poly", points);
-  const std::string nan = folder.write(
-      "nan.poly", "4 2 1 0\n0 0 0 1\n1 1 0 nan\n2 1 1 5\n3 0 1 5\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n");
-  for (const auto& [file, field] : {std::pair{square, "field=values"},
-                                    {square, "field=log(x-2)"},
-                                    {square, "field=shocks"},
-                                    {nan, "field=values"}}) {
-    const Ended ended = tribunal({"refine", file, "--algorithm", "adaptive", "--set", field});
-    EXPECT_EQ(ended.status, 2) << field;
+  const std::string boundary = folder.write("frame.poly", frame);
+  const std::string open = folder.write("open.poly", "3 2 0 0\n0 0 0\n1 8 0\n2 8 8\n2 0\n0 0 1\n1 1 2\n0\n");
+  const std::string outside =
+      folder.write("outside.poly", "3 2 0 0\n0 0 0\n1 8 0\n2 8 8\n3 0\n0 0 1\n1 1 2\n2 2 0\n1\n0 9 9\n");
+  const std::string points = folder.write("points.xy", "0 0\n1 0\n0 1\n");
+  const std::string mesh = folder / "mesh.ele";
+  for (const auto& [file, setting] :
+       {std::pair(boundary, "size=0"), std::pair(boundary, "size=-1"), std::pair(boundary, "size=nan"),
+        std::pair(boundary, "size=x +"), std::pair(boundary, "angle=60"), std::pair(boundary, "angle=steep"),
+        std::pair(boundary, "vertices=9"), std::pair(boundary, "size=x - 4"), std::pair(open, "angle=30"),
+        std::pair(outside, "angle=30"), std::pair(points, "angle=30")}) {
+    const Ended ended = tribunal({"refine", file, "--set", setting, "-o", mesh});
+    EXPECT_EQ(ended.status, 2) << file << ' ' << setting;
     EXPECT_TRUE(ended.one_line_error()) << ended.err;
+    EXPECT_FALSE(std::filesystem::exists(mesh));
   }
-}
-
-TEST(Points, WriteDomainsWithTheirSegments) {
-  const Folder folder;
-  for (const char* bits : {"0", "24"}) {
-    const std::string poly = folder / (std::string("d") + bits + ".poly"), mesh = folder / "m.ele";
-    ASSERT_EQ(tribunal({"points", "high-lift", "-n", "200", "--bits", bits, "-o", poly}).status, 0);
-    EXPECT_EQ(tribunal({"triangulate", poly, "--algorithm", "constrained", "-o", mesh}).status, 0);
-    EXPECT_EQ(tribunal({"verify", poly, mesh, "--kind", "constrained"}).status, 0);
-  }
+  EXPECT_NE(tribunal({"refine", outside}).err.find("outside.poly:9"), std::string::npos);
 }
 
 }  // namespace

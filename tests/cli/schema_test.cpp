@@ -18,6 +18,8 @@ nlohmann::json schema(const std::string& name) {
 
 TEST(Schemas, EveryDocumentObeysItsSchema) {
   const Folder folder;
+  const std::string boundary =
+      folder.write("triangle.poly", "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n3 0\n0 0 1\n1 1 2\n2 2 0\n0\n");
   const std::string points = folder / "p.xy", mesh = folder / "m.off";
   ASSERT_EQ(tribunal({"points", "grid", "-n", "20", "-o", points}).status, 0);
   ASSERT_EQ(tribunal({"triangulate", points, "-o", mesh}).status, 0);
@@ -45,6 +47,7 @@ TEST(Schemas, EveryDocumentObeysItsSchema) {
       {"verify", {"verify", points, mesh}},
       {"optimize", {"optimize", points, mesh, "--criterion", "minmax"}},
       {"optimize", {"optimize", points, mesh, "--criterion", "minmax-global", "--backend", "double"}},
+      {"refine", {"refine", boundary, "--set", "size=0.3"}},
       {"run", {"run", plan, "-o", folder / "run", "--progress", "none"}},
       {"claims", {"claims", "T3", "P-knuth-printed", "--progress", "none"}},
       {"claims", {"report", folder / "run", "-o", folder / "report.html"}},

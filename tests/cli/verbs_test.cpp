@@ -11,8 +11,8 @@ namespace tribunal::cli {
 namespace {
 
 TEST(Help, EveryVerbShowsAnExample) {
-  for (const char* verb : {"list", "points", "sign", "triangulate", "verify", "optimize", "bench", "fuzz",
-                           "run", "claims", "report", "cell"}) {
+  for (const char* verb : {"list", "points", "sign", "triangulate", "verify", "optimize", "refine", "bench",
+                           "fuzz", "run", "claims", "report", "cell"}) {
     const Ended help = tribunal({verb, "--help"});
     EXPECT_EQ(help.status, 0) << verb;
     EXPECT_NE(help.out.find("Example: tribunal " + std::string(verb)), std::string::npos) << verb;

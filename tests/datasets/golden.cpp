@@ -53,6 +53,12 @@ TEST(Golden, EveryDatasetOf1000PointsAndSeed1) {
       {"high-lift", 0x2C0F10A1A4636941},
       {"counties", 0xB5581ECB16857172},
       {"coast", 0x8069EEEF0101386B},
+      {"gulf", 0xE47A66FFCA297C3F},
+      {"fractal-coast", 0xA580C091EA494050},
+      {"wedge", 0x505854BED58EF349},
+      {"comb", 0x988055534D791FC9},
+      {"fan", 0x08CF3ECC44893632},
+      {"slot", 0xE2005137A1294F85},
   };
   EXPECT_EQ(expected.size(), datasets().size());
   for (const Dataset& dataset : datasets()) {

@@ -182,7 +182,8 @@ void refine_random(Random& random, int i, int& meshed, int& given_up) {
   const Refinement done = refine(whole, options, domain);
   if (done.report.mesh.outcome != Outcome::ok) {
     EXPECT_EQ(done.report.mesh.outcome, Outcome::refused_input) << done.report.mesh.reason;
-    given_up += done.report.mesh.reason.find("vertices") != std::string::npos;
+    const bool endless = done.report.mesh.reason.find("vertices") != std::string::npos;
+    given_up += i % 2 == 0 && endless;  // off the lattice there are slots and needles of one double
     return;
   }
   ++meshed;
