@@ -92,8 +92,9 @@ class Run {
     const std::optional<Candidate> best = best_place(t);
     if (!best) return;
     if (mesh_.vertices() >= options_.most_vertices)
-      throw Abandon(Outcome::loop,
-                    "refinement did not end within " + std::to_string(options_.most_vertices) + " vertices");
+      throw Abandon(Outcome::refused_input, "the spacing would take more than the " +
+                                                std::to_string(options_.most_vertices) +
+                                                " vertices that are allowed");
     ++counts_.inserted;
     guides_.close(best->step);
     insertion_.insert(best->place, best->seen);

@@ -50,9 +50,9 @@ struct Stretched {
 /// again. It ends when no triangle fails that has a place left.
 ///
 /// S, s and r are rounded: they decide where vertices go. What becomes of the mesh is decided by signs alone.
-/// Segments are never split. Throws Abandon: what build_graph_mesh throws, refused_input for a spacing that
-/// is none and for collinear points, loop when there are most_vertices, out_of_domain. O(log n) a vertex
-/// where the walls are resolved.
+/// Segments are never split. Throws Abandon: what build_graph_mesh throws, and refused_input for a spacing
+/// that is none or takes more than most_vertices, and for collinear points. O(log n) a vertex where the walls
+/// are resolved.
 Stretched refine_stretched(const Graph& graph, std::span<const Index> order, const Kernel2& kernel,
                            const Options& options);
 

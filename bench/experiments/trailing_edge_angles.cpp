@@ -31,12 +31,7 @@ bool is_valid(const DatasetGraph& domain, const std::vector<Triangle>& triangles
       .valid();
 }
 
-Finding run_trailing_edge_angles(const Cell& cell) {
-  const DatasetGraph domain = cell_graph(cell);
-  const Kernel2Binding binding = cell_kernel(domain.points, cell);
-  if (const auto* refusal = std::get_if<Refusal>(&binding))
-    return {Outcome::out_of_domain, describe(*refusal)};
-  const Kernel2& kernel = *std::get<0>(binding);
+Finding measure(const DatasetGraph& domain, const Kernel2& kernel) {
   const Graph graph{domain.points, domain.segments, domain.holes, Domain::carved};
   const auto order = insertion_order(domain.points, Order::brio, 1);
   const auto sites = constrained::distinct_sites(graph, order, kernel);
@@ -55,6 +50,18 @@ Finding run_trailing_edge_angles(const Cell& cell) {
                        {"minmax.max", shape_of(domain.points, min_max).largest_angle},
                        {"minmax.valid", is_valid(domain, min_max, verify::Kind::triangulation)},
                        {"swaps", static_cast<double>(swapped.swaps())}}};
+}
+
+Finding run_trailing_edge_angles(const Cell& cell) {
+  const DatasetGraph domain = cell_graph(cell);
+  const Kernel2Binding binding = cell_kernel(domain.points, cell);
+  if (const auto* refusal = std::get_if<Refusal>(&binding))
+    return {Outcome::out_of_domain, describe(*refusal)};
+  try {
+    return measure(domain, *std::get<0>(binding));
+  } catch (const Abandon& abandon) {
+    return {abandon.outcome, abandon.what()};
+  }
 }
 
 }  // namespace

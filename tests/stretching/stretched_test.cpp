@@ -125,7 +125,8 @@ TEST(Stretched, GivesUpAtTheMostVertices) {
                      {{1e-6, 1.01, 1}, WallChoice::inner, 1500});
     FAIL() << "there is room for many more";
   } catch (const Abandon& abandon) {
-    EXPECT_EQ(abandon.outcome, Outcome::loop);
+    EXPECT_EQ(abandon.outcome, Outcome::refused_input);
+    EXPECT_NE(std::string(abandon.what()).find("more than the 1500 vertices"), std::string::npos);
   }
 }
 
