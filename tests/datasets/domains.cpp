@@ -72,10 +72,11 @@ TEST_P(EveryDomain, HasHolesInsideItsElements) {
     for (const std::uint64_t n : {1, 300, 2000}) {
       const DatasetGraph domain = graph(n, seed);
       ASSERT_FALSE(domain.holes.empty());
-      for (const Point2& hole : domain.holes)
+      for (const Point2& hole : domain.holes) {
         // Inside the box and one of the elements, past whatever else.
         EXPECT_GE(crossings_right_of(domain, hole), 2);
-      EXPECT_EQ(crossings_right_of(domain, hole) % 2, 0);
+        EXPECT_EQ(crossings_right_of(domain, hole) % 2, 0);
+      }
     }
 }
 

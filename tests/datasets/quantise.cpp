@@ -58,7 +58,7 @@ TEST(Quantise, KeepsShapesByOneScaleForBothAxes) {
 }
 
 TEST(Quantise, SendsAPointAndEqualPointsToTheOrigin) {
-  EXPECT_TRUE(quantise({}, 8).empty());
+  EXPECT_TRUE(quantise(std::vector<Point2>{}, 8).empty());
   EXPECT_EQ(quantise(std::vector<Point2>{{{7, -3}}}, 8), (std::vector<Point2>{{{0, 0}}}));
   EXPECT_EQ(quantise(std::vector<Point2>(3, Point2{{1e300, 5e-324}}), 8),
             (std::vector<Point2>(3, Point2{{0, 0}})));

@@ -30,7 +30,7 @@ TEST(Figures, AreDrawnShownAndSmall) {
   std::set<std::string> there;
   for (const auto& entry : std::filesystem::directory_iterator(docs / "figures")) {
     there.insert(entry.path().filename().string());
-    EXPECT_LT(entry.file_size(), 300'000U) << entry.path();
+    EXPECT_LT(entry.file_size(), 500'000U) << entry.path();
   }
   EXPECT_EQ(there, shown);
   EXPECT_GE(there.size(), 10U);
