@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace tribunal::cli {
@@ -65,7 +66,9 @@ TEST(Schemas, EveryDocumentObeysItsSchema) {
   int count = 0;
   for (std::string line; std::getline(rows, line); ++count)
     EXPECT_EQ(schema_fault(schema("row"), nlohmann::json::parse(line)), "") << line;
-  EXPECT_EQ(count, std::ssize(planar_algorithms()) * 4) << "two backends, two datasets";
+  const auto without_data = std::ranges::count_if(
+      planar_algorithms(), [](const PlanarAlgorithm& algorithm) { return !algorithm.about.reads_values; });
+  EXPECT_EQ(count, without_data * 4) << "two backends, two datasets";
 }
 
 TEST(Schemas, TheValidatorFindsFaults) {

@@ -59,7 +59,9 @@ TEST(Loader, AnAlgorithmRunsOverAPlugin) {
   std::iota(order.begin(), order.end(), Index{0});
   const Kernel2Binding bound = load_predicates("integers").bind2(points);
   for (const PlanarAlgorithm& algorithm : planar_algorithms()) {
-    const Triangulation t = triangulate(points, order, *std::get<0>(bound), algorithm);
+    Settings settings;
+    if (algorithm.about.reads_values) settings["data"] = "F1";
+    const Triangulation t = triangulate(points, order, *std::get<0>(bound), algorithm, settings);
     EXPECT_EQ(t.outcome, Outcome::ok) << algorithm.about.name;
     EXPECT_EQ(t.triangles.size(), 50U) << algorithm.about.name;
   }
