@@ -60,7 +60,10 @@ class Chew {
         continue;
       }
       require_room();
-      if (!improve(worst.place)) ++counts_.unresolved;
+      if (!improve(worst.place))
+        ++counts_.unresolved;
+      else if (mesh_.triangles().triangle(worst.place) == worst.corners)
+        measure(worst.place);  // an edge was split that is too long for the triangle to have noticed
     }
     counts_.steps = mesh_.steps();
   }
