@@ -45,7 +45,7 @@ TEST(Refine, RefusesInOneLineAndWritesNothing) {
     EXPECT_TRUE(ended.one_line_error()) << ended.err;
     EXPECT_FALSE(std::filesystem::exists(mesh));
   }
-  EXPECT_NE(tribunal({"refine", outside}).err.find("outside.poly:9"), std::string::npos);
+  EXPECT_NE(tribunal({"refine", outside}).err.find("outside.poly:10:"), std::string::npos);
 }
 
 }  // namespace
