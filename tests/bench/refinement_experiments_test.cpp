@@ -1,5 +1,6 @@
 // Experiments about refinement, on small domains.
 #include "bench/cell.hpp"
+#include "datasets/files/files.hpp"
 #include "tests/bench/support.hpp"
 
 namespace tribunal::bench {
