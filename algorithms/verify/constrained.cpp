@@ -14,7 +14,8 @@
 // (faces.cpp).
 //
 // Every segment is a union of edges as far as it runs inside the domain (pieces.cpp), and every edge that is
-// no piece of one is locally Delaunay (where that is asked for), which makes the triangulation constrained Delaunay (Lee and Lin 1986).
+// no piece of one is locally Delaunay (where that is asked for), which makes the triangulation constrained
+// Delaunay (Lee and Lin 1986).
 #include "algorithms/verify/boundary.hpp"
 #include "algorithms/verify/crossing.hpp"
 #include "algorithms/verify/delaunay.hpp"

@@ -88,9 +88,15 @@ std::string verdict_strip(const ReportInput& input) {
   html += std::to_string(input.trials.size()) + (input.trials.size() == 1 ? " claim" : " claims");
   for (std::size_t i = 0; i < counts.size(); ++i)
     if (counts[i] > 0) html += ", " + std::to_string(counts[i]) + " " + std::string(verdict_names[i]);
-  html += surprises == 0 ? "; <strong>all as registered beforehand</strong>."
-                         : "; <strong class=\"alarm\">" + std::to_string(surprises) +
-                               " against the registered expectation</strong>.";
+  const std::size_t untried = counts[static_cast<std::size_t>(Verdict::untried)];
+  if (surprises > 0)
+    html += "; <strong class=\"alarm\">" + std::to_string(surprises) +
+            " against the registered expectation</strong>";
+  else if (untried == 0)
+    html += "; <strong>all as registered beforehand</strong>";
+  else if (untried < input.trials.size())
+    html += "; <strong>all that were tried as registered beforehand</strong>";
+  html += ".";
   html += " A claim registered as a misprint is expected to be refuted.</p>\n<ul class=\"strip\">";
   for (const Tried& trial : input.trials) html += tile(trial);
   return html + "</ul></section>\n";

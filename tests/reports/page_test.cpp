@@ -160,5 +160,18 @@ TEST(Page, a_surprise_is_shouted) {
   EXPECT_NE(fixture.html().find("1 against the registered expectation"), std::string::npos);
 }
 
+TEST(Page, says_of_claims_that_were_not_tried_nothing_but_that) {
+  const Fixture fixture;
+  const Tried untried{claim_of("scope-identities"), try_claim(claim_of("scope-identities"), {}), ""};
+  Tried tried = untried;
+  tried.judgement.verdict = Verdict::reproduced;
+  const auto says = [&](const std::vector<Tried>& trials, const char* what) {
+    return page({fixture.manifest, fixture.rows, trials}).find(what) != std::string::npos;
+  };
+  EXPECT_FALSE(says({untried, untried}, "registered beforehand"));
+  EXPECT_TRUE(says({tried, untried}, "all that were tried as registered beforehand"));
+  EXPECT_TRUE(says({tried, tried}, "<strong>all as registered beforehand"));
+}
+
 }  // namespace
 }  // namespace tribunal::reports
