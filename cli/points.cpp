@@ -11,7 +11,6 @@
 namespace tribunal::cli {
 namespace {
 
-
 /// A .poly with the .node file beside that holds its points.
 int write_graph(const PointsOptions& options, const Dataset& dataset, Console& console) {
   DatasetGraph graph = generate_graph(dataset, options.n, options.seed);

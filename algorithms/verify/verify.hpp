@@ -94,10 +94,10 @@ struct Segments {
 
 /// Checks that a mesh is the constrained Delaunay triangulation of points and segments: every segment is a
 /// union of edges (but for what lies outside the domain), edges on no segment are locally Delaunay (not asked
-/// of Kind::triangulation), and the triangles cover the domain once and nothing else. Exact, like verify_planar, whose faults and exceptions
-/// are these; throws std::invalid_argument also for a segment that names no point and a hole that is not
-/// finite. O(n log n), but for a look at everything for each hole, each region left out and each stretch of a
-/// segment outside the mesh.
+/// of Kind::triangulation), and the triangles cover the domain once and nothing else. Exact, like
+/// verify_planar, whose faults and exceptions are these; throws std::invalid_argument also for a segment that
+/// names no point and a hole that is not finite. O(n log n), but for a look at everything for each hole, each
+/// region left out and each stretch of a segment outside the mesh.
 Verdict verify_constrained(std::span<const Point2> points, const Mesh& mesh, const Segments& segments,
                            const Options& options = {});
 
