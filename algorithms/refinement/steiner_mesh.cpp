@@ -120,14 +120,23 @@ std::optional<Index> SteinerMesh::split(HalfEdge h, double t) {
   const auto [from, to] = stretch(h);
   if (!(std::min(from, to) < t && t < std::max(from, to))) return std::nullopt;
   const Edge ends = piece_ends(h);
-  const Point2 nearest = nearest_on(point(ends[0]), point(ends[1]), t);
+  std::optional<Point2> p = place_near(h, nearest_on(point(ends[0]), point(ends[1]), t));
+  if (!p) {
+    const Point2 a = point(triangles().from(h)), b = point(triangles().to(h));
+    p = place_near(h, nearest_on(a, b, (t - from) / (to - from)));
+  }
+  if (!p) return std::nullopt;
+  roles_.push_back(Role::on_segment);
+  parameters_.push_back(t);
+  return mesh_.insert_on(h, *p);
+}
+
+/// The first point in rings around `place` that may split the held edge h.
+std::optional<Point2> SteinerMesh::place_near(HalfEdge h, Point2 place) const {
   for (const auto& [right, up] : steps_around) {
-    const Point2 p{{stepped(nearest[0], right), stepped(nearest[1], up)}};
+    const Point2 p{{stepped(place[0], right), stepped(place[1], up)}};
     require_admitted(p);
-    if (!admits_split(h, p)) continue;
-    roles_.push_back(Role::on_segment);
-    parameters_.push_back(t);
-    return mesh_.insert_on(h, p);
+    if (admits_split(h, p)) return p;
   }
   return std::nullopt;
 }

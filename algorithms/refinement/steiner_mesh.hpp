@@ -81,8 +81,10 @@ class SteinerMesh {
 
   /// Splits the held edge h at parameter t of its piece: at the double point nearest to that place on the
   /// segment, so that bends do not add up, or at one at most two doubles away in x and in y, where the
-  /// nearest one lies outside the circles beside the edge, would invert a cell or make the domain grow.
-  /// Nothing, and nothing is changed, where all of them do, or where no double lies between.
+  /// nearest one lies outside the circles beside the edge, would invert a cell or make the domain grow. Where
+  /// all of them do, as they may where earlier bends are worth more doubles than two, the same around that
+  /// place on the edge itself. Nothing, and nothing is changed, where these do, too, or where no double lies
+  /// between.
   std::optional<Index> split(HalfEdge h, double t);
   /// In the middle.
   std::optional<Index> split(HalfEdge h);
@@ -94,6 +96,7 @@ class SteinerMesh {
 
  private:
   SteinerMesh(const Graph& graph, constrained::GraphMesh built);
+  std::optional<Point2> place_near(HalfEdge h, Point2 place) const;
   bool admits_split(HalfEdge h, Point2 p) const;
   double parameter(Index piece, Index vertex) const;
   void hold_boundary();
