@@ -18,10 +18,15 @@ constexpr std::array<std::string_view, 3> domain_names{"hull", "carved", "even-o
 void split(GraphInput& input) {
   SplitGraph pieces = split_crossings(input.graph());
   std::vector<std::uint64_t> lines;
-  for (const Index segment : pieces.origin) lines.push_back(input.file.segment_lines[segment]);
+  std::vector<std::uint32_t> rings;
+  for (const Index segment : pieces.origin) {
+    lines.push_back(input.file.segment_lines[segment]);
+    if (!input.file.segment_rings.empty()) rings.push_back(input.file.segment_rings[segment]);
+  }
   input.file.sites.points = std::move(pieces.points);
   input.file.segments = std::move(pieces.segments);
   input.file.segment_lines = std::move(lines);
+  input.file.segment_rings = std::move(rings);
   input.origin = std::move(pieces.origin);
   input.rounded = pieces.rounded;
   input.snapped = pieces.snapped;

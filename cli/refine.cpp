@@ -1,4 +1,5 @@
 // tribunal refine: a user's boundary to a mesh with Steiner points.
+#include "algorithms/constrained/polygons.hpp"
 #include "algorithms/mesh/canonical.hpp"
 #include "algorithms/refinement/refiners.hpp"
 #include "algorithms/refinement/shape.hpp"
@@ -35,6 +36,23 @@ std::vector<Edge> subsegments_of(const RefinedGraph& refined) {
   std::vector<Edge> ends;
   for (const auto& part : refined.mesh.subsegments) ends.push_back(part.ends);
   return ends;
+}
+
+/// Refuses polygons that bound nothing a mesh could fill.
+void require_polygons(const GraphInput& input, const Kernel2& kernel) {
+  if (input.file.ring_outers.empty()) return;
+  Graph graph = input.graph();
+  graph.domain = Domain::hull;
+  const auto order = insertion_order(graph.points, Order::hilbert, 1);
+  const ConstrainedTriangulation whole = triangulate_graph(graph, order, kernel, Recovery::cavity);
+  if (whole.mesh.outcome != Outcome::ok) return;  // refinement will say so, too
+  const auto fault = constrained::find_ring_fault(graph, {input.file.segment_rings, input.file.ring_outers},
+                                                  whole.touches, kernel);
+  if (!fault) return;
+  const bool touches = fault->kind == constrained::RingFault::Kind::touches_itself;
+  throw BadInput(input.path + ":" + std::to_string(input.file.sites.lines[fault->point]) + ": " +
+                 (touches ? "a ring touches itself at this point"
+                          : "this point of an inner ring is not inside the polygon's outer one"));
 }
 
 /// What signs without a promise have made.
@@ -153,6 +171,7 @@ int refine(const RefineOptions& options, Console& console) {
     throw BadInput(options.boundary + ":" + std::to_string(points.lines[refusal->point]) + ": " +
                    options.backend + ": " + refusal->reason);
 
+  require_polygons(input, *std::get<0>(bound));
   const bool counted = console.json || !options.stats.empty();
   Run run = refine_once(refiner, settings, input, *std::get<0>(bound), counted);
   if (!backend.about->exact) check(input, refiner, run.refined);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <queue>
+#include <set>
 #include <vector>
 
 namespace tribunal::refinement {
@@ -105,36 +106,56 @@ class Chew {
 
   bool split(HalfEdge h) {
     const Edge ends{mesh_.triangles().from(h), mesh_.triangles().to(h)};
-    const auto vertex = mesh_.split(h, small_.place_to_split(mesh_, h));
-    if (!vertex) {
-      ++counts_.refused_splits;
-      return false;
+    const double place = small_.place_to_split(mesh_, h);
+    std::vector<Index> changed;
+    auto vertex = mesh_.split(h, place);
+    if (!vertex && cleared_.insert(ends).second) {  // once, lest they come back for ever
+      clear_sides(ends, changed);
+      vertex = mesh_.split(mesh_.mesh().edge(ends[0], ends[1]), place);
     }
-    ++counts_.splits;
-    small_.note_split(mesh_, ends, *vertex);
-    size_.add(*vertex, size_.between(ends[0], ends[1]));
-    clear_around(*vertex, ends);
-    return true;
+    if (vertex) {
+      ++counts_.splits;
+      small_.note_split(mesh_, ends, *vertex);
+      size_.add(*vertex, size_.between(ends[0], ends[1]));
+      clear_around(*vertex, ends, changed);
+      mesh_.for_star(*vertex, [&](Index t) { changed.push_back(t); });
+    } else {
+      ++counts_.refused_splits;
+    }
+    measure_all(changed);
+    return vertex.has_value();
+  }
+
+  /// Deletes a circumcentre that rounding put so close to an edge that no place to split it is left. After
+  /// the split it would go anyway.
+  void clear_sides(Edge ends, std::vector<Index>& changed) {
+    for (const auto& [from, to] : {ends, Edge{ends[1], ends[0]}}) {
+      const HalfEdge side = mesh_.mesh().edge(from, to);
+      if (!mesh_.in_domain(triangle_of(side))) continue;
+      const Index corner = mesh_.triangles().corner(side);
+      if (mesh_.role(corner) == Role::free) remove(corner, changed);
+    }
   }
 
   /// Deletes circumcentres that are closer to the new vertex of a split edge than the nearer of its ends.
-  void clear_around(Index vertex, Edge ends) {
+  void clear_around(Index vertex, Edge ends, std::vector<Index>& changed) {
     const Point2 p = mesh_.point(vertex);
     const bool first = mesh_.mesh().kernel().compare_length(p, mesh_.point(ends[0]), p,
                                                             mesh_.point(ends[1])) != Sign::positive;
-    std::vector<Index> changed;
-    for (const Index v : deletable_around(mesh_, vertex, ends[first ? 0 : 1])) {
-      const std::vector<Index> filled = mesh_.remove(v);
-      changed.insert(changed.end(), filled.begin(), filled.end());
-      ++counts_.deleted;
-    }
+    for (const Index v : deletable_around(mesh_, vertex, ends[first ? 0 : 1])) remove(v, changed);
+  }
+
+  void remove(Index vertex, std::vector<Index>& changed) {
+    const std::vector<Index> filled = mesh_.remove(vertex);
+    changed.insert(changed.end(), filled.begin(), filled.end());
+    ++counts_.deleted;
+  }
+
+  void measure_all(std::vector<Index>& changed) {
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
     for (const Index t : changed)
       if (mesh_.in_domain(t)) measure(t);
-    mesh_.for_star(vertex, [&](Index t) {
-      if (!std::binary_search(changed.begin(), changed.end(), t)) measure(t);
-    });
   }
 
   /// The circumcentre; where the kernel does not admit one far away, the last point on the way to it that it
@@ -163,6 +184,7 @@ class Chew {
   SizeField size_;
   SmallAngles small_;
   std::priority_queue<Failed> heap_;
+  std::set<Edge> cleared_;  // held edges whose sides were cleared
 };
 
 /// The triangles below the bound that are left.

@@ -109,6 +109,7 @@ class GeoJsonReader {
     rings_.end_chain(where);
   }
   void polygon() {
+    rings_.begin_polygon();
     each('[', ']', [this] {
       const Scanner::Place where = cursor_.place();
       rings_.begin_chain();

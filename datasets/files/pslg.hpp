@@ -12,10 +12,13 @@ namespace tribunal {
 /// A planar straight-line graph as it stands in a file: points may coincide, segments may overlap, touch and
 /// cross.
 struct PslgFile {
+  static constexpr std::uint32_t no_ring = 0xFFFFFFFF;
   PointFile sites;
   std::vector<std::array<std::uint32_t, 2>> segments;  ///< by index into the sites; no two ends coincide
   std::vector<std::uint64_t> segment_lines;            ///< 1-based line of each segment
-  std::vector<Point2> holes;                           ///< a point inside each hole
+  std::vector<std::uint32_t> segment_rings;  ///< the ring of a polygon that each is part of, or no_ring
+  std::vector<std::uint32_t> ring_outers;    ///< of each ring its polygon's outer one, which is a ring, too
+  std::vector<Point2> holes;                 ///< a point inside each hole
   std::vector<std::uint64_t> hole_lines;
   /// What the segments mean to enclose: "even-odd" where they are the rings of polygons, "carved" in a .poly,
   /// unless it says otherwise in a first line "# domain NAME", else "hull".

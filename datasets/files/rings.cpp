@@ -2,6 +2,8 @@
 
 #include "datasets/files/numerals.hpp"
 
+#include <algorithm>
+
 namespace tribunal::files {
 namespace {
 std::string at(Point2 point) {
@@ -22,6 +24,7 @@ void Rings::push(Point2 point, Scanner::Place where) {
 void Rings::join(std::uint32_t a, std::uint32_t b) {
   pslg_.segments.push_back({a, b});
   pslg_.segment_lines.push_back(pslg_.sites.lines[b]);
+  pslg_.segment_rings.push_back(PslgFile::no_ring);
 }
 
 void Rings::add(Point2 point, Scanner::Place where) {
@@ -47,6 +50,9 @@ void Rings::end_ring(Scanner::Place where) {
   sites.points.pop_back();
   sites.lines.pop_back();
   pslg_.segments.back()[1] = first_;
+  std::fill(pslg_.segment_rings.end() - (size() - first_), pslg_.segment_rings.end(),
+            static_cast<std::uint32_t>(pslg_.ring_outers.size()));
+  pslg_.ring_outers.push_back(outer_);
 }
 
 void Rings::add_alone(Point2 point, Scanner::Place where) { push(point, where); }

@@ -15,6 +15,8 @@ class Rings {
   /// Adds a point that stands at `where`; refuses one equal to the point before it in its chain.
   void add(Point2 point, Scanner::Place where);
   void end_chain(Scanner::Place where);
+  /// The rings that follow belong to one polygon, its outer ring first.
+  void begin_polygon() { outer_ = static_cast<std::uint32_t>(pslg_.ring_outers.size()); }
   /// The chain's last point must repeat its first one, which closes the ring.
   void end_ring(Scanner::Place where);
   /// A point that belongs to no chain.
@@ -31,6 +33,7 @@ class Rings {
   Cursor& cursor_;
   PslgFile pslg_;
   std::uint32_t first_ = 0;  // of the current chain
+  std::uint32_t outer_ = 0;  // ring of the current polygon
 };
 
 }  // namespace tribunal::files

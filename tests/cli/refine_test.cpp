@@ -48,5 +48,39 @@ TEST(Refine, RefusesInOneLineAndWritesNothing) {
   EXPECT_NE(tribunal({"refine", outside}).err.find("outside.poly:10:"), std::string::npos);
 }
 
+struct BadPolygon {
+  const char *name, *text, *place;
+};
+
+TEST(Refine, PolygonsThatBoundNothing) {
+  const Folder folder;
+  for (const BadPolygon& bad : {
+           BadPolygon{"pinch.wkt", "POLYGON((0 0,4 0,4 4,\n2 2,0 4,1 3,\n2 2,0 0))",
+                      ":2: a ring touches itself"},
+           BadPolygon{"tee.wkt", "POLYGON((0 0,4 0,\n4 4,2 0,0 4,0 0))", ":2: a ring touches itself"},
+           BadPolygon{"spike.wkt", "POLYGON((0 0,4 0,4 4,\n6 6,4 4,0 4,0 0))", ":1: a ring touches itself"},
+           BadPolygon{"away.wkt", "POLYGON((0 0,4 0,4 4,0 4,0 0),\n(7 1,8 1,8 2,7 1))",
+                      ":2: this point of an inner ring is not inside"},
+           BadPolygon{"around.geojson",
+                      R"({"type":"Polygon","coordinates":[[[1,1],[2,1],[1,2],[1,1]],
+                      [[0,0],[5,0],[0,5],[0,0]]]})",
+                      ":2: this point of an inner ring is not inside"},
+       }) {
+    const std::string file = folder.write(bad.name, bad.text), mesh = folder / "mesh.off";
+    const Ended ended = tribunal({"refine", file, "-o", mesh});
+    EXPECT_EQ(ended.status, 2) << bad.name << ended.err;
+    EXPECT_TRUE(ended.one_line_error()) << ended.err;
+    EXPECT_EQ(ended.err.rfind("tribunal: " + file + bad.place, 0), 0U) << ended.err;
+    EXPECT_FALSE(std::filesystem::exists(mesh)) << bad.name;
+  }
+  for (const char* good :
+       {"POLYGON((0 0,4 0,4 4,0 4,0 0),(0 0,2 1,1 2,0 0))",  // the rings touch in a point
+        "POLYGON((0 0,8 0,8 8,0 8,0 0),(1 1,7 1,7 7,1 7,1 1));POLYGON((2 2,6 2,6 6,2 6,2 2))",
+        "MULTIPOLYGON(((0 0,4 0,4 4,0 4,0 0)),((4 0,8 0,8 4,4 4,4 0)))"}) {
+    const Ended ended = tribunal({"refine", folder.write("good.wkt", good)});
+    EXPECT_EQ(ended.status, 0) << good << ended.err;
+  }
+}
+
 }  // namespace
 }  // namespace tribunal::cli

@@ -166,6 +166,22 @@ TEST(Shape, SharperIsExact) {
   EXPECT_LT(sharper, 18'000);
 }
 
+// A hull bent by earlier splits leaves no double on its old line; a circumcentre rounded to just beside a
+// held edge leaves none on the edge. Both need splits all the same.
+TEST(Chew, RoundingIsNoReasonToStop) {
+  const DatasetGraph bent{
+      {{{5, 0}}, {{1, 2}}, {{4, 1}}, {{1, 5}}, {{1, 2}}}, {{0, 1}, {1, 2}, {2, 3}, {3, 4}}, {}};
+  const Refinement hull = refine(bent, {.bound = AngleBound::degrees(20)}, Domain::hull);
+  EXPECT_EQ(hull.counts.unresolved, 0U);
+  EXPECT_GT(hull.counts.splits, 0U);
+  const DatasetGraph beside{
+      {{{4, 4}}, {{4, 6}}, {{0, 3}}, {{1, 2}}, {{3, 3}}}, {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 0}}, {}};
+  const Refinement done = refine(beside, {.size = Size::parse("0.7")});
+  EXPECT_EQ(done.counts.unresolved, 0U);
+  EXPECT_EQ(sharp(done.mesh), 0U);
+  EXPECT_EQ(faults_of(done.mesh, {}, verify::Domain::carved), "");
+}
+
 /// What became of random graphs on the lattice.
 struct Fates {
   int meshed = 0, given_up = 0, unresolved = 0;
@@ -202,14 +218,13 @@ void refine_random(Random& random, int i, Fates& fates) {
 }
 
 TEST(Chew, RandomGraphs) {
-  const int cases = std::getenv("TRIBUNAL_LONG_TIERS") == nullptr ? 600 : 12'000;
+  const int cases = std::getenv("TRIBUNAL_LONG_TIERS") == nullptr ? 600 : 100'000;
   Random random(22);
   Fates fates;
   for (int i = 0; i < cases && !::testing::Test::HasFailure(); ++i) refine_random(random, i, fates);
   EXPECT_GT(fates.meshed, cases / 10);
-  EXPECT_LE(fates.given_up, cases / 100);
-  // Between two input angles of a few degrees splits may still halve an edge until doubles end.
-  EXPECT_LE(fates.unresolved, cases / 4000);
+  EXPECT_EQ(fates.given_up, 0);
+  EXPECT_EQ(fates.unresolved, 0);
 }
 
 }  // namespace

@@ -11,19 +11,18 @@
 namespace tribunal::refinement {
 namespace {
 
-double neighbour(double x, double towards, int steps) {
-  for (; steps > 0; --steps) x = std::nextafter(x, towards);
-  return x;
+/// The step from one double to the next at x.
+mpq_class unit(double x) {
+  x = std::fabs(x);
+  return mpq_class(std::nextafter(x, std::numeric_limits<double>::infinity())) - mpq_class(x);
 }
 
-/// Whether the segment ab comes within two and a half doubles of q, in x and in y.
+/// Whether the segment ab comes, in x and in y, within three of the coarsest doubles between its ends of q.
 bool rounds_to(Point2 a, Point2 b, Point2 q) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   mpq_class first = 0, last = 1;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const mpq_class high = (mpq_class(neighbour(q[axis], infinity, 2)) + neighbour(q[axis], infinity, 3)) / 2;
-    const mpq_class low =
-        (mpq_class(neighbour(q[axis], -infinity, 2)) + neighbour(q[axis], -infinity, 3)) / 2;
+    const mpq_class reach = 3 * std::max(unit(a[axis]), unit(b[axis]));
+    const mpq_class low = mpq_class(q[axis]) - reach, high = mpq_class(q[axis]) + reach;
     const mpq_class from(a[axis]), way = mpq_class(b[axis]) - from;
     if (way == 0) {
       if (from < low || high < from) return false;
