@@ -5,9 +5,9 @@
 // `global.max`, `global.min`; `gap`, local.max - global.max; exactly compared: `local_missed` (1 when the
 // local optimum is not global), `delaunay_smaller_max` and `minmax_larger_min` (1 where the one triangulation
 // beats the other at the other's goal); `flips` from one to the other; of the insertion `insertions`,
-// `attempts`, `candidates`, `crossings`, `ears`, and `operations`, the sum of the last three. Up to 9 points,
-// parameter `exhaustive`: `triangulations`, how many there are, `best.max`, and `global_missed` (1 when
-// one of them has a smaller largest angle than edge insertion found).
+// `attempts`, `candidates`, `crossings`, `ears`, and `operations`, the sum of the last three;
+// `squared_sites`. Up to 9 points, parameter `exhaustive`: `triangulations`, how many there are, `best.max`,
+// and `global_missed` (1 when one of them has a smaller largest angle than edge insertion found).
 #include "algorithms/flips/angles.hpp"
 #include "algorithms/flips/delaunay_criterion.hpp"
 #include "algorithms/flips/lawson.hpp"
@@ -78,6 +78,7 @@ Finding run_min_max_angles(const Cell& cell) {
   Finding finding{
       .counters = {
           {"runs", 1},
+          {"squared_sites", static_cast<double>(points.size() * points.size())},
           {"delaunay.max", degrees(sites, of_delaunay)},
           {"delaunay.min", delaunay_min},
           {"local.max", local_max},
