@@ -12,12 +12,12 @@ namespace {
 
 /// A triangle that failed, by its place and its corners: it is gone when the place holds others.
 struct Failed {
-  double squared_radius;
+  double radius;
   Triangle corners;
   Index place;
 
   friend bool operator<(const Failed& a, const Failed& b) {
-    return a.squared_radius != b.squared_radius ? a.squared_radius < b.squared_radius : a.corners < b.corners;
+    return a.radius != b.radius ? a.radius < b.radius : a.corners < b.corners;
   }
 };
 
@@ -80,14 +80,14 @@ class Chew {
   void measure(Index t) {
     ++counts_.tests;
     const Corners corners = mesh_.corners(t);
-    const auto edges = squared_edges(corners);
-    const bool large = *std::max_element(edges.begin(), edges.end()) > size_.squared_limit(mesh_, t) ||
+    const auto edges = edge_lengths(corners);
+    const bool large = *std::max_element(edges.begin(), edges.end()) > size_.limit(mesh_, t) ||
                        (options_.measure != nullptr && options_.measure->fails(mesh_, t));
     if (!large && !is_sharper(corners, options_.bound)) return;
     if (!large && small_.forces(mesh_, t)) {
       return;
     }
-    heap_.push({squared_circumradius(corners), mesh_.triangles().triangle(t), t});
+    heap_.push({circumradius(corners), mesh_.triangles().triangle(t), t});
   }
 
   /// One round of the algorithm's steps 3 to 6. False where the triangle has to stay.

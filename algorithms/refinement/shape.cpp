@@ -29,6 +29,16 @@ bool is_sharper_exactly(const Corners& triangle, const mpq_class& sine_squared) 
   return false;
 }
 
+std::array<double, 3> squared_edges(const Corners& t) {
+  std::array<double, 3> edges{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point2 p = t[(i + 1) % 3], q = t[(i + 2) % 3];
+    const double x = q[0] - p[0], y = q[1] - p[1];
+    edges[i] = x * x + y * y;
+  }
+  return edges;
+}
+
 }  // namespace
 
 AngleBound AngleBound::degrees(double angle) {
@@ -39,14 +49,34 @@ AngleBound AngleBound::degrees(double angle) {
 
 AngleBound AngleBound::radius_to_edge(double ratio) { return {0.25 / (ratio * ratio)}; }
 
-std::array<double, 3> squared_edges(const Corners& t) {
-  std::array<double, 3> edges{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Point2 p = t[(i + 1) % 3], q = t[(i + 2) % 3];
-    const double x = q[0] - p[0], y = q[1] - p[1];
-    edges[i] = x * x + y * y;
-  }
-  return edges;
+double distance(Point2 a, Point2 b) {
+  const double x = b[0] - a[0], y = b[1] - a[1], squared = x * x + y * y;
+  if (0x1p-900 < squared && squared < 0x1p900) return std::sqrt(squared);
+  const double longer = std::max(std::fabs(x), std::fabs(y));
+  if (longer == 0) return 0;
+  const int exponent = std::ilogb(longer);
+  const double u = std::ldexp(x, -exponent), v = std::ldexp(y, -exponent);
+  return std::ldexp(std::sqrt(u * u + v * v), exponent);
+}
+
+std::array<double, 3> edge_lengths(const Corners& t) {
+  return {distance(t[1], t[2]), distance(t[2], t[0]), distance(t[0], t[1])};
+}
+
+int excess_exponent(const Corners& t) {
+  constexpr int usual = 200;  // the fifth power of 2^200 is a double
+  double longest = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      longest = std::max(longest, std::fabs(t[i][axis] - t[0][axis]));
+  const int exponent = std::ilogb(longest);
+  return -usual < exponent && exponent < usual ? 0 : exponent;
+}
+
+Point2 scaled(Point2 p, int exponent) { return {{std::ldexp(p[0], exponent), std::ldexp(p[1], exponent)}}; }
+
+Corners scaled(const Corners& t, int exponent) {
+  return {scaled(t[0], exponent), scaled(t[1], exponent), scaled(t[2], exponent)};
 }
 
 // The filter. With u = 2^-53 a rounded difference is off by a factor 1 + u, a squared length by (1 + u)^4, so
@@ -74,14 +104,15 @@ bool is_sharper(const Corners& t, AngleBound bound) {
   return is_sharper_exactly(t, mpq_class(bound.sine_squared));
 }
 
-double squared_circumradius(const Corners& t) {
-  const std::array<double, 3> e = squared_edges(t);
+double circumradius(const Corners& t) {
+  if (const int excess = excess_exponent(t)) return std::ldexp(circumradius(scaled(t, -excess)), excess);
+  const std::array<double, 3> e = edge_lengths(t);
   const double cross = (t[1][0] - t[0][0]) * (t[2][1] - t[0][1]) - (t[1][1] - t[0][1]) * (t[2][0] - t[0][0]);
-  const double radius = std::sqrt(e[0]) * std::sqrt(e[1]) / (2 * cross) * std::sqrt(e[2]);
-  return cross > 0 ? radius * radius : std::numeric_limits<double>::infinity();
+  return cross > 0 ? e[0] * e[1] / (2 * cross) * e[2] : std::numeric_limits<double>::infinity();
 }
 
 Point2 circumcentre(const Corners& t) {
+  if (const int excess = excess_exponent(t)) return scaled(circumcentre(scaled(t, -excess)), excess);
   const std::array<double, 3> edges = squared_edges(t);
   // From the corner opposite the longest edge the terms are the smallest.
   const auto i = static_cast<std::size_t>(std::max_element(edges.begin(), edges.end()) - edges.begin());
@@ -98,6 +129,7 @@ Point2 circumcentre(const Corners& t) {
 }
 
 std::array<double, 2> extreme_angles(const Corners& t) {
+  if (const int excess = excess_exponent(t)) return extreme_angles(scaled(t, -excess));
   std::array<double, 3> angles{};
   for (std::size_t i = 0; i < 3; ++i) {
     const Point2 p = t[i], q = t[(i + 1) % 3], r = t[(i + 2) % 3];

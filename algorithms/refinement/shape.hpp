@@ -24,11 +24,21 @@ struct AngleBound {
 /// filter of floating-point numbers decides nearly always, rational numbers the rest.
 bool is_sharper(const Corners& triangle, AngleBound bound);
 
-/// The squared lengths of the edges opposite the corners, rounded.
-std::array<double, 3> squared_edges(const Corners& triangle);
+/// Rounded, whatever the coordinates: no square leaves the range of doubles.
+double distance(Point2 a, Point2 b);
 
-/// The square of the circumradius, rounded; infinite where the area is too small for doubles.
-double squared_circumradius(const Corners& triangle);
+/// The lengths of the edges opposite the corners, rounded.
+std::array<double, 3> edge_lengths(const Corners& triangle);
+
+/// The circumradius, rounded; infinite where the area is too small for doubles.
+double circumradius(const Corners& triangle);
+
+/// Zero for triangles of any usual size. For others, whose products of lengths would leave the range of
+/// doubles, an exponent of two to divide by first.
+int excess_exponent(const Corners& triangle);
+/// p times 2^exponent.
+Point2 scaled(Point2 p, int exponent);
+Corners scaled(const Corners& triangle, int exponent);
 
 /// The circumcentre, rounded; a point far away in its direction where the area is too small for doubles.
 Point2 circumcentre(const Corners& triangle);

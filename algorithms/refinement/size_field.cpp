@@ -1,6 +1,7 @@
 #include "algorithms/refinement/size_field.hpp"
 
 #include "algorithms/parameter.hpp"
+#include "algorithms/refinement/shape.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,11 +11,6 @@
 namespace tribunal::refinement {
 namespace {
 constexpr std::array<std::string_view, 2> place{"x", "y"};
-
-double distance(Point2 a, Point2 b) {
-  const double x = b[0] - a[0], y = b[1] - a[1];
-  return std::sqrt(x * x + y * y);
-}
 
 /// The mean length of the held edges at each vertex; at one without any, of all held edges.
 std::vector<double> boundary_lengths(const SteinerMesh& mesh) {
@@ -50,7 +46,7 @@ SizeField::SizeField(const Size& size, const SteinerMesh& mesh) : size_(size) {
   if (size.kind == Size::Kind::boundary) lengths_ = boundary_lengths(mesh);
 }
 
-double SizeField::squared_limit(const SteinerMesh& mesh, Index t) const {
+double SizeField::limit(const SteinerMesh& mesh, Index t) const {
   double length = size_.length;
   if (size_.kind == Size::Kind::none) return std::numeric_limits<double>::infinity();
   if (size_.kind == Size::Kind::formula) {
@@ -64,12 +60,15 @@ double SizeField::squared_limit(const SteinerMesh& mesh, Index t) const {
     const Triangle v = mesh.triangles().triangle(t);
     length = (lengths_[v[0]] + lengths_[v[1]] + lengths_[v[2]]) / 3;
   }
-  return length * length;
+  return length;
 }
 
 double SizeField::interpolate(const SteinerMesh& mesh, Index t, Point2 p) const {
   if (size_.kind != Size::Kind::boundary) return 0;
-  const auto [a, b, c] = mesh.corners(t);
+  const Corners corners = mesh.corners(t);
+  const int excess = excess_exponent(corners);
+  const auto [a, b, c] = scaled(corners, -excess);
+  p = scaled(p, -excess);
   const auto area = [](Point2 i, Point2 j, Point2 k) {
     return std::fabs((j[0] - i[0]) * (k[1] - i[1]) - (j[1] - i[1]) * (k[0] - i[0]));
   };

@@ -31,9 +31,9 @@ class SizeField {
  public:
   SizeField(const Size& size, const SteinerMesh& mesh);
 
-  /// The square of the length at a triangle of the mesh; infinite where there is no bound. Throws Abandon
+  /// The length at a triangle of the mesh; infinite where there is no bound. Throws Abandon
   /// (refused_input), naming the place, where a formula is not positive.
-  double squared_limit(const SteinerMesh& mesh, Index t) const;
+  double limit(const SteinerMesh& mesh, Index t) const;
 
   /// A new vertex takes its length from the vertices of the triangle, or of the edge, where it will lie.
   /// To be called before it is inserted, and then `add` once it is.

@@ -6,20 +6,23 @@
 namespace tribunal::refinement {
 namespace {
 
-double distance(Point2 a, Point2 b) {
-  const double x = b[0] - a[0], y = b[1] - a[1];
-  return std::sqrt(x * x + y * y);
-}
-
 /// The power of two between a third and two thirds of a length.
 double circle_within(double length) { return std::ldexp(1, std::ilogb(length * (2.0 / 3))); }
+
+/// From one point to another, scaled by a power of two to a length between 1 and 3.
+std::array<double, 2> direction(Point2 from, Point2 to) {
+  const double x = to[0] - from[0], y = to[1] - from[1];
+  const int exponent = std::ilogb(std::max(std::fabs(x), std::fabs(y)));
+  return {std::ldexp(x, -exponent), std::ldexp(y, -exponent)};
+}
 
 /// The wedge at `apex` from the direction of `from` counter-clockwise to that of `to`.
 struct Wedge {
   double cross, dot, legs;  // legs: the product of the squared lengths
 };
 Wedge wedge(Point2 apex, Point2 from, Point2 to) {
-  const double ux = from[0] - apex[0], uy = from[1] - apex[1], vx = to[0] - apex[0], vy = to[1] - apex[1];
+  const auto [ux, uy] = direction(apex, from);
+  const auto [vx, vy] = direction(apex, to);
   return {ux * vy - uy * vx, ux * vx + uy * vy, (ux * ux + uy * uy) * (vx * vx + vy * vy)};
 }
 bool below_60_degrees(const Wedge& w) { return w.dot > 0 && w.cross > 0 && 4 * w.dot * w.dot > w.legs; }
@@ -90,7 +93,7 @@ void SmallAngles::note_split(const SteinerMesh& mesh, Edge ends, Index vertex) {
 
 bool SmallAngles::forces(const SteinerMesh& mesh, Index t) const {
   const Triangle v = mesh.triangles().triangle(t);
-  const auto edges = squared_edges(mesh.corners(t));
+  const auto edges = edge_lengths(mesh.corners(t));
   const auto i = static_cast<std::size_t>(std::min_element(edges.begin(), edges.end()) - edges.begin());
   const Index p = v[(i + 1) % 3], q = v[(i + 2) % 3], top = v[i];
   const Circle at_p = circle(p), at_q = circle(q);

@@ -63,13 +63,10 @@ Shapes count_shapes(const Refined& mesh, const ChewOptions& options) {
   Shapes shapes;
   for (const auto& [i, j, k] : mesh.triangles) {
     const Corners t{mesh.points[i], mesh.points[j], mesh.points[k]};
-    const auto edges = squared_edges(t);
+    const auto [a, b, c] = edge_lengths(t);
     shapes.sharp += is_sharper(t, options.bound);
     shapes.blunt += extreme_angles(t)[1] > 180 - 2 * bound + 1e-9;
-    shapes.oversize +=
-        options.size.kind == Size::Kind::uniform &&
-        *std::max_element(edges.begin(), edges.end()) > options.size.length * options.size.length;
-    const double a = std::sqrt(edges[0]), b = std::sqrt(edges[1]), c = std::sqrt(edges[2]);
+    shapes.oversize += options.size.kind == Size::Kind::uniform && std::max({a, b, c}) > options.size.length;
     // 2 r = (b + c - a)(c + a - b)(a + b - c) / (4 area) and R = abc / (4 area).
     shapes.flatter += (b + c - a) * (c + a - b) * (a + b - c) > a * b * c * (1 + 1e-9);
   }

@@ -80,9 +80,9 @@ TEST(Chew, AnglesBetween30And120Degrees) {
     for (const Triangle& t : done.mesh.triangles) {
       const Corners at = corners(done.mesh, t);
       EXPECT_LE(extreme_angles(at)[1], 120.0001);
-      const auto edges = squared_edges(at);
+      const auto edges = edge_lengths(at);
       if (wanted.kind == Size::Kind::uniform) {
-        EXPECT_LE(*std::max_element(edges.begin(), edges.end()), wanted.length * wanted.length);
+        EXPECT_LE(*std::max_element(edges.begin(), edges.end()), wanted.length);
       }
     }
   }
@@ -180,6 +180,26 @@ TEST(Chew, RoundingIsNoReasonToStop) {
   EXPECT_EQ(done.counts.unresolved, 0U);
   EXPECT_EQ(sharp(done.mesh), 0U);
   EXPECT_EQ(faults_of(done.mesh, {}, verify::Domain::carved), "");
+}
+
+// Powers of two change nothing but exponents, as far as doubles go.
+TEST(Chew, ScaleDoesNotMatter) {
+  const auto wedge = [](double scale) {
+    std::vector<Point2> points;
+    for (const Point2 p :
+         {Point2{{0, 0}}, {{8, 0}}, {{8, 5}}, {{0, 5}}, {{3, 2}}, {{5, 2.125}}, {{5, 2.625}}})
+      points.push_back({{p[0] * scale, p[1] * scale}});
+    return DatasetGraph{points, {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {4, 6}}, {}};
+  };
+  for (const char* size : {"none", "boundary"}) {
+    const Refinement one = refine(wedge(1), {.size = Size::parse(size)});
+    ASSERT_EQ(one.report.mesh.outcome, Outcome::ok);
+    EXPECT_EQ(one.counts.small_input_angles, 1U);
+    for (const double scale : {0x1p-900, 0x1p-400, 0x1p-210, 0x1p190, 0x1p500, 0x1p1000}) {
+      const Refinement other = refine(wedge(scale), {.size = Size::parse(size)});
+      EXPECT_EQ(other.mesh.triangles, one.mesh.triangles) << size << ' ' << scale;
+    }
+  }
 }
 
 /// What became of random graphs on the lattice.
