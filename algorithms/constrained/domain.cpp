@@ -1,6 +1,9 @@
 #include "algorithms/constrained/domain.hpp"
 
+#include "algorithms/location/stochastic_walk.hpp"
+
 #include <algorithm>
+#include <numeric>
 
 namespace tribunal::constrained {
 namespace {
@@ -27,34 +30,77 @@ std::vector<Index> ghosts(const Mesh& mesh) {
   return found;
 }
 
-/// Whether p may lie in the triangle: whether it is in its box.
-bool in_box(Point2 p, Point2 a, Point2 b, Point2 c) {
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const auto [low, high] = std::minmax({a[axis], b[axis], c[axis]});
-    if (p[axis] < low || high < p[axis]) return false;
-  }
-  return true;
+/// The vertices' positions, then those of the holes.
+std::vector<Point2> positions(const Mesh& mesh, std::span<const Point2> holes) {
+  std::vector<Point2> points;
+  points.reserve(mesh.vertices() + holes.size());
+  for (Index v = 0; v < mesh.vertices(); ++v) points.push_back(mesh.point(v));
+  points.insert(points.end(), holes.begin(), holes.end());
+  return points;
 }
 
-/// The finite triangle that holds p, or `none`. Refuses p on a held edge.
-Index triangle_around(const Mesh& mesh, Point2 p, Index hole, const std::string& name) {
-  const PlanarMesh& triangles = mesh.triangles();
-  for (Index t = 0; t < triangles.triangles(); ++t) {
-    if (triangles.is_ghost(t)) continue;
-    const Triangle v = triangles.triangle(t);
-    if (!in_box(p, mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]))) continue;
-    if (!mesh.kernel().admits(p))
-      throw NoHole(hole, name + " is outside the backend's domain", Outcome::out_of_domain);
-    bool holds = true, on_segment = false;
-    for (HalfEdge h = 3 * t; h < 3 * t + 3 && holds; ++h) {
-      const Sign side = mesh.kernel().orient2d(mesh.point(triangles.from(h)), mesh.point(triangles.to(h)), p);
-      holds = side != Sign::negative;
-      on_segment |= side == Sign::zero && mesh.held(h);
-    }
-    if (holds && on_segment) throw NoHole(hole, name + " lies on a segment");
-    if (holds) return t;
+/// Whether p is in the box around the vertices.
+class Box {
+ public:
+  explicit Box(const Mesh& mesh) : low_(mesh.point(0)), high_(low_) {
+    for (Index v = 1; v < mesh.vertices(); ++v)
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        low_[axis] = std::min(low_[axis], mesh.point(v)[axis]);
+        high_[axis] = std::max(high_[axis], mesh.point(v)[axis]);
+      }
   }
-  return PlanarMesh::none;
+  bool holds(Point2 p) const {
+    return low_[0] <= p[0] && p[0] <= high_[0] && low_[1] <= p[1] && p[1] <= high_[1];
+  }
+
+ private:
+  Point2 low_, high_;
+};
+
+bool touches_held(const Mesh& mesh, Index vertex) {
+  const HalfEdge first = mesh.link(vertex);
+  HalfEdge h = first;
+  do {
+    if (mesh.held(prev(h))) return true;
+    h = mesh.next_link(h);
+  } while (h != first);
+  return false;
+}
+
+/// Whether p, which the triangle holds, lies on a held edge or at a vertex of one.
+bool on_segment(const Mesh& mesh, Index t, Point2 p) {
+  const PlanarMesh& triangles = mesh.triangles();
+  for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+    const Index from = triangles.from(h), to = triangles.to(h);
+    if (mesh.kernel().orient2d(mesh.point(from), mesh.point(to), p) != Sign::zero) continue;
+    if (mesh.held(h)) return true;
+    for (const Index end : {from, to})
+      if (mesh.point(end) == p) return touches_held(mesh, end);
+  }
+  return false;
+}
+
+/// The finite triangle that holds each hole. Walks from hole to hole, from left to right. Throws NoHole for
+/// one outside the hull or on a segment.
+std::vector<Index> triangles_around(const Mesh& mesh, std::span<const Point2> holes) {
+  std::vector<Index> order(holes.size()), found(holes.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return holes[a] < holes[b]; });
+  const std::vector<Point2> points = positions(mesh, holes);
+  const PlanarProblem problem{points, {}, mesh.kernel()};
+  StochasticWalk walk(problem, mesh.triangles());
+  const Box box(mesh);
+  std::uint64_t steps = 0;
+  for (const Index hole : order) {
+    const std::string name = "hole " + std::to_string(hole);
+    if (!box.holds(holes[hole])) throw NoHole(hole, name + " lies outside the domain");
+    if (!mesh.kernel().admits(holes[hole]))
+      throw NoHole(hole, name + " is outside the backend's domain", Outcome::out_of_domain);
+    found[hole] = walk.locate(mesh.vertices() + hole, steps);
+    if (mesh.triangles().is_ghost(found[hole])) throw NoHole(hole, name + " lies outside the domain");
+    if (on_segment(mesh, found[hole], holes[hole])) throw NoHole(hole, name + " lies on a segment");
+  }
+  return found;
 }
 
 std::vector<bool> carve(const Mesh& mesh, const Graph& graph) {
@@ -63,11 +109,11 @@ std::vector<bool> carve(const Mesh& mesh, const Graph& graph) {
   if (std::find(inside.begin(), inside.end(), true) == inside.end())
     throw Abandon(Outcome::refused_input, "no segments close a loop: the outside reaches every triangle");
   const std::vector<bool> enclosed = inside;
-  for (Index hole = 0; hole < graph.holes.size(); ++hole) {
-    const std::string name = "hole " + std::to_string(hole);
-    const Index t = triangle_around(mesh, graph.holes[hole], hole, name);
-    if (t == PlanarMesh::none || !enclosed[t]) throw NoHole(hole, name + " lies outside the domain");
-    if (inside[t]) remove_region(mesh, {t}, inside);
+  const std::vector<Index> around = triangles_around(mesh, graph.holes);
+  for (Index hole = 0; hole < around.size(); ++hole) {
+    if (!enclosed[around[hole]])
+      throw NoHole(hole, "hole " + std::to_string(hole) + " lies outside the domain");
+    if (inside[around[hole]]) remove_region(mesh, {around[hole]}, inside);
   }
   return inside;
 }

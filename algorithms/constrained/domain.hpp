@@ -23,7 +23,7 @@ struct OpenLoop : Abandon {
 
 /// For each triangle whether it belongs to the domain; ghosts never do. Throws NoHole for a hole point
 /// outside the domain or on a segment, OpenLoop where the even-odd rule has no meaning, Abandon where the
-/// domain is empty. Linear, but for each hole a look at every triangle.
+/// domain is empty. Linear, and for each hole a walk.
 std::vector<bool> find_domain(const Mesh& mesh, const Recovered& recovered, const Graph& graph);
 
 }  // namespace tribunal::constrained
