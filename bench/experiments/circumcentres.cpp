@@ -9,7 +9,9 @@
 // an angle above 180 degrees minus twice the bound, in domains without small input angles), `oversize` (edges
 // above a uniform size); `flatter` (triangles whose circumradius is less than twice the inradius); of the
 // first 200 triangles of the sites' Delaunay triangulation `nearer` (whose circumcentre, as a rational point,
-// has a site closer than its corners); and the refinement's own counts.
+// has a site closer than its corners); of the first 200 of its constrained one, and those of their
+// circumcentres that are seen from within the triangle, `nearer_seen` and `nearer_hidden` (closer sites that
+// no segment hides from the circumcentre, and those that one does); and the refinement's own counts.
 #include "algorithms/list.hpp"
 #include "algorithms/refinement/chew_parameters.hpp"
 #include "algorithms/triangulate.hpp"
@@ -73,28 +75,70 @@ Shapes count_shapes(const Refined& mesh, const ChewOptions& options) {
   return shapes;
 }
 
-mpq_class squared_distance_between(const mpq_class& x, const mpq_class& y, Point2 p) {
-  return (x - p[0]) * (x - p[0]) + (y - p[1]) * (y - p[1]);
+struct Place {
+  mpq_class x, y;
+};
+Place place_of(Point2 p) { return {p[0], p[1]}; }
+
+mpq_class squared_distance(const Place& a, const Place& b) {
+  return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
 }
 
-/// Whether some site is closer to the circumcentre of abc than its corners.
-bool has_nearer(Point2 a, Point2 b, Point2 c, std::span<const Point2> sites) {
-  const mpq_class bx = mpq_class(b[0]) - a[0], by = mpq_class(b[1]) - a[1], cx = mpq_class(c[0]) - a[0],
-                  cy = mpq_class(c[1]) - a[1];
+int turn(const Place& a, const Place& b, const Place& c) {
+  return sgn(mpq_class((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)));
+}
+
+/// Whether no segment crosses the way from one place to another; one that touches it hides nothing.
+bool sees(const Place& from, const Place& to, const DatasetGraph& domain) {
+  return std::none_of(domain.segments.begin(), domain.segments.end(), [&](const Edge& segment) {
+    const Place a = place_of(domain.points[segment[0]]), b = place_of(domain.points[segment[1]]);
+    return turn(from, to, a) * turn(from, to, b) < 0 && turn(a, b, from) * turn(a, b, to) < 0;
+  });
+}
+
+Place exact_circumcentre(const Place& a, const Place& b, const Place& c) {
+  const mpq_class bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
   const mpq_class twice = 2 * (bx * cy - by * cx), b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
-  const mpq_class x = a[0] + (cy * b2 - by * c2) / twice, y = a[1] + (bx * c2 - cx * b2) / twice;
-  const mpq_class radius = squared_distance_between(x, y, a);
-  return std::any_of(sites.begin(), sites.end(),
-                     [&](const Point2& p) { return squared_distance_between(x, y, p) < radius; });
+  return {a.x + (cy * b2 - by * c2) / twice, a.y + (bx * c2 - cx * b2) / twice};
 }
 
+constexpr std::size_t most_looked_at = 200;  // triangles
+
+/// Triangles of the Delaunay triangulation whose circumcentres have a site closer than their corners.
 double count_nearer(const DatasetGraph& domain, std::span<const Index> order, const Kernel2& kernel) {
-  constexpr std::size_t most = 200;
   const Triangulation t = triangulate(domain.points, order, kernel, *find_planar_algorithm("green-sibson"));
   double nearer = 0;
-  for (std::size_t i = 0; i < std::min(most, t.triangles.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(most_looked_at, t.triangles.size()); ++i) {
     const auto& [a, b, c] = t.triangles[i];
-    nearer += has_nearer(domain.points[a], domain.points[b], domain.points[c], domain.points);
+    const Place corner = place_of(domain.points[a]);
+    const Place centre = exact_circumcentre(corner, place_of(domain.points[b]), place_of(domain.points[c]));
+    const mpq_class radius = squared_distance(centre, corner);
+    nearer += std::any_of(domain.points.begin(), domain.points.end(),
+                          [&](const Point2& p) { return squared_distance(centre, place_of(p)) < radius; });
+  }
+  return nearer;
+}
+
+struct Nearer {
+  double seen = 0, hidden = 0;
+};
+/// Sites closer to circumcentres of constrained Delaunay triangles than their corners, of those circumcentres
+/// that are seen from the middle of the triangle.
+Nearer count_nearer_past_segments(const DatasetGraph& domain, const Graph& graph,
+                                  std::span<const Index> order, const Kernel2& kernel) {
+  const auto t = triangulate_graph(graph, order, kernel, Recovery::cavity).mesh;
+  Nearer nearer;
+  for (std::size_t i = 0; i < std::min(most_looked_at, t.triangles.size()); ++i) {
+    const auto& [i0, i1, i2] = t.triangles[i];
+    const Place a = place_of(domain.points[i0]), b = place_of(domain.points[i1]),
+                c = place_of(domain.points[i2]);
+    const Place centre = exact_circumcentre(a, b, c), middle{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
+    if (!sees(middle, centre, domain)) continue;
+    const mpq_class radius = squared_distance(centre, a);
+    for (const Point2& p : domain.points) {
+      if (squared_distance(centre, place_of(p)) >= radius) continue;
+      ++(sees(centre, place_of(p), domain) ? nearer.seen : nearer.hidden);
+    }
   }
   return nearer;
 }
@@ -113,6 +157,7 @@ Finding run_circumcentres(const Cell& cell) {
   const Refinement done = refine_by_circumcentres(graph, order, kernel, options);
   if (done.report.mesh.outcome != Outcome::ok) return {done.report.mesh.outcome, done.report.mesh.reason};
   const Shapes shapes = count_shapes(done.mesh, options);
+  const Nearer past_segments = count_nearer_past_segments(domain, graph, order, kernel);
   const ChewCounts& counts = done.counts;
   const auto number = [](auto count) { return static_cast<double>(count); };
   return {.counters = {{"sets", 1},
@@ -125,6 +170,8 @@ Finding run_circumcentres(const Cell& cell) {
                        {"oversize", shapes.oversize},
                        {"flatter", shapes.flatter},
                        {"nearer", count_nearer(domain, order, kernel)},
+                       {"nearer_seen", past_segments.seen},
+                       {"nearer_hidden", past_segments.hidden},
                        {"forced", number(counts.forced)},
                        {"circumcentres", number(counts.circumcentres)},
                        {"deleted", number(counts.deleted)},

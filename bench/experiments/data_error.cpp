@@ -6,8 +6,9 @@
 //
 // Counters: `runs` (1); `delaunay.rms`, `delaunay.max`, `rms`, `max` (errors); `delaunay.roughness`,
 // `roughness` (the sum of costs before and after); `delaunay.contour_spread`, `contour_spread` (degrees that
-// contours turn away from the diagonal off the hull, root mean square by length: F2 has all on it); `flips`,
-// `sweeps`, `tests`; `improving` (flips that would still make the sum smaller); `valid`.
+// contours turn away from the diagonal off the hull, root mean square by length: F2 has all on it), and with
+// the hull `delaunay.contour_spread_in_all`, `contour_spread_in_all`; `flips`, `sweeps`, `tests`; `improving`
+// (flips that would still make the sum smaller); `valid`.
 #include "algorithms/data_dependent/optimize.hpp"
 #include "algorithms/data_dependent/parameters.hpp"
 #include "algorithms/verify/verify.hpp"
@@ -63,17 +64,19 @@ Errors errors_on_grid(const std::vector<Point2>& points, const std::vector<doubl
 }
 
 /// How far the contours of the surface turn away from 45 degrees, in degrees: root mean square, weighted by
-/// their length, over triangles without an edge of the hull: those edges, a side of the square long, stay
-/// whatever is flipped, and the needles on them have contours of nearly their own direction. All contours of
-/// a triangle have one direction, and their length over all levels is the gradient's times the triangle's
-/// area.
+/// their length. All contours of a triangle have one direction, and their length over all levels is the
+/// gradient's times the triangle's area. Off the hull: over triangles without an edge of it. Those edges, a
+/// side of the square long, stay whatever is flipped, and the needles on them have contours of nearly their
+/// own direction.
+enum class Over { all, off_hull };
 double contour_spread(const std::vector<Point2>& points, const std::vector<double>& data,
-                      const EdgeMesh& mesh) {
+                      const EdgeMesh& mesh, Over over) {
   double squares = 0, length = 0;
   for (HalfEdge h = 0; h < 2 * mesh.edges(); ++h) {
     const HalfEdge n = mesh.next(h), p = mesh.prev(h);
     if (mesh.is_outer(h) || h > n || h > p) continue;  // each triangle once
-    if (!mesh.is_inner(h / 2) || !mesh.is_inner(n / 2) || !mesh.is_inner(p / 2)) continue;
+    const bool on_hull = !mesh.is_inner(h / 2) || !mesh.is_inner(n / 2) || !mesh.is_inner(p / 2);
+    if (on_hull && over == Over::off_hull) continue;
     const Triangle t{mesh.from(h), mesh.from(n), mesh.from(p)};
     const Point2 &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
     // The gradient times twice the area, turned by a right angle: along the contours.
@@ -114,25 +117,27 @@ Finding run_data_error(const Cell& cell) {
   const double before = roughness.total(mesh);
   const FlipCounts counts = flip_for_data(sites, mesh, data, cell.parameters);
   const std::vector<Triangle> triangles = mesh.triangles();
+  const EdgeMesh unflipped(delaunay.triangles);
   const Errors first = errors_on_grid(points, data, delaunay.triangles, function.value);
   const Errors last = errors_on_grid(points, data, triangles, function.value);
   const auto verdict = verify::verify_planar(points, {.triangles = triangles},
                                              {.kind = verify::Kind::triangulation, .max_faults = 1});
-  return {
-      .counters = {{"runs", 1},
-                   {"delaunay.rms", first.rms},
-                   {"delaunay.max", first.max},
-                   {"rms", last.rms},
-                   {"max", last.max},
-                   {"delaunay.roughness", before},
-                   {"roughness", roughness.total(mesh)},
-                   {"delaunay.contour_spread", contour_spread(points, data, EdgeMesh(delaunay.triangles))},
-                   {"contour_spread", contour_spread(points, data, mesh)},
-                   {"flips", static_cast<double>(counts.flips)},
-                   {"sweeps", static_cast<double>(counts.sweeps)},
-                   {"tests", static_cast<double>(counts.tests)},
-                   {"improving", count_improving({sites, mesh, roughness})},
-                   {"valid", verdict.valid()}}};
+  return {.counters = {{"runs", 1},
+                       {"delaunay.rms", first.rms},
+                       {"delaunay.max", first.max},
+                       {"rms", last.rms},
+                       {"max", last.max},
+                       {"delaunay.roughness", before},
+                       {"roughness", roughness.total(mesh)},
+                       {"delaunay.contour_spread", contour_spread(points, data, unflipped, Over::off_hull)},
+                       {"contour_spread", contour_spread(points, data, mesh, Over::off_hull)},
+                       {"delaunay.contour_spread_in_all", contour_spread(points, data, unflipped, Over::all)},
+                       {"contour_spread_in_all", contour_spread(points, data, mesh, Over::all)},
+                       {"flips", static_cast<double>(counts.flips)},
+                       {"sweeps", static_cast<double>(counts.sweeps)},
+                       {"tests", static_cast<double>(counts.tests)},
+                       {"improving", count_improving({sites, mesh, roughness})},
+                       {"valid", verdict.valid()}}};
 }
 
 }  // namespace

@@ -73,7 +73,9 @@ set(tribunal_claims
     D5
     D6
     D7
+    D7-hull
     S1
+    S1-seen
     S2
     S3
     S4
