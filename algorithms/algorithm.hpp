@@ -43,6 +43,7 @@ struct PlanarProblem {
 struct PlanarAlgorithm {
   AlgorithmAbout about;
   std::span<const Parameter> parameters = {};  ///< its variants; the default is the algorithm by that name
+  std::string_view order = "random";           ///< the insertion order for users who name none
   /// Triangulates the sites; fills triangles, hull, counters and history. Throws Abandon
   /// (algorithms/abandon.hpp) when the signs make no sense or a budget runs out; the front door turns that
   /// into an outcome.

@@ -55,8 +55,11 @@ std::string refuse(const Parameter& parameter, std::string_view value) {
     const auto choices = parameter.choices();
     if (std::find(choices.begin(), choices.end(), value) != choices.end()) return {};
   }
-  return std::string(parameter.name) + " is " + describe_values(parameter) + ", not \"" + std::string(value) +
-         "\"";
+  std::string refusal = std::string(parameter.name) + " is " + describe_values(parameter) + ", not \"" +
+                        std::string(value) + "\"";
+  if (parameter.values != nullptr && parameter.values->reason != nullptr)
+    refusal += ": " + parameter.values->reason(value);
+  return refusal;
 }
 
 const Parameter* find_parameter(std::span<const Parameter> parameters, std::string_view name) {

@@ -15,6 +15,8 @@ namespace tribunal {
 struct Values {
   std::string_view describe;        ///< "a number from 0 to 60, 60 excluded"
   bool (*holds)(std::string_view);  ///< whether the text is such a value
+  /// What is wrong with a text that is none, for values with a grammar; null: nothing to add.
+  std::string (*reason)(std::string_view) = nullptr;
 };
 
 /// A whole number, one of a list of names, or a value of another kind. Users, plans and cells write its value

@@ -33,6 +33,18 @@ struct Counters {
   std::uint64_t location_steps = 0;  ///< walk steps, nodes of search structures visited or circles scanned
 };
 
+/// The counters by the names that statistics and rows give them.
+inline std::array<std::pair<const char*, std::uint64_t>, 8> by_name(const Counters& c) {
+  return {{{"tau", c.tau},
+           {"tau_with_ghosts", c.tau_with_ghosts},
+           {"created", c.created},
+           {"flips", c.flips},
+           {"on_edge", c.on_edge},
+           {"outside_hull", c.outside_hull},
+           {"conflict_tests", c.conflict_tests},
+           {"location_steps", c.location_steps}}};
+}
+
 /// Shape of the history DAG (Green-Sibson). Depth of a site: nodes on its path from the root to the triangle
 /// that held it when it was inserted, the root not counted.
 struct History {

@@ -32,21 +32,10 @@ void set_outcome(Row& row, Outcome outcome, std::string reason) {
 }
 
 void count_structure(const Triangulation& t, std::map<std::string, double>& counters) {
-  const Counters& c = t.counters;
-  const std::pair<const char*, std::uint64_t> integers[] = {
-      {"tau", c.tau},
-      {"tau_with_ghosts", c.tau_with_ghosts},
-      {"created", c.created},
-      {"flips", c.flips},
-      {"on_edge", c.on_edge},
-      {"outside_hull", c.outside_hull},
-      {"conflict_tests", c.conflict_tests},
-      {"location_steps", c.location_steps},
-      {"triangles", t.triangles.size()},
-      {"hull", t.hull},
-      {"duplicates", t.duplicates.size()},
-  };
-  for (const auto& [name, value] : integers) counters[name] = static_cast<double>(value);
+  for (const auto& [name, value] : by_name(t.counters)) counters[name] = static_cast<double>(value);
+  counters["triangles"] = static_cast<double>(t.triangles.size());
+  counters["hull"] = static_cast<double>(t.hull);
+  counters["duplicates"] = static_cast<double>(t.duplicates.size());
   counters["dimension"] = t.dimension;
   if (!t.history) return;
   counters["history.nodes"] = static_cast<double>(t.history->nodes);

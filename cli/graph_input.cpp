@@ -4,6 +4,7 @@
 #include "algorithms/constrained/crossings.hpp"
 #include "algorithms/constrained/parameters.hpp"
 #include "cli/console.hpp"
+#include "datasets/files/numerals.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -30,6 +31,12 @@ void split(GraphInput& input) {
   input.origin = std::move(pieces.origin);
   input.rounded = pieces.rounded;
   input.snapped = pieces.snapped;
+}
+
+std::string ends_of(const GraphInput& input, Index segment) {
+  const auto [a, b] = input.file.segments[segment];
+  return files::point_text(input.file.sites.points[a]) + " to " +
+         files::point_text(input.file.sites.points[b]);
 }
 }  // namespace
 
@@ -60,10 +67,12 @@ GraphInput graph_input(std::string path, PslgFile file, const Settings& settings
 }
 
 std::string describe(const GraphInput& input, const ConstrainedTriangulation& refused) {
-  if (refused.crossing)
-    return input.place((*refused.crossing)[1]) + ": this segment crosses that of line " +
-           std::to_string(input.file.segment_lines[(*refused.crossing)[0]]) +
-           " (--set crossings=split would split both)";
+  if (refused.crossing) {
+    const auto [first, second] = *refused.crossing;
+    return input.place(second) + ": this segment, " + ends_of(input, second) + ", crosses that of line " +
+           std::to_string(input.file.segment_lines[first]) + ", " + ends_of(input, first) +
+           " (tribunal triangulate --algorithm constrained --set crossings=split splits both)";
+  }
   if (refused.hole)
     return input.path + ":" + std::to_string(input.file.hole_lines[*refused.hole]) + ": " +
            refused.mesh.reason;

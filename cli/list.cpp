@@ -29,9 +29,10 @@ json parameter_json(const Parameter& parameter) {
 
 json list_algorithms() {
   json all = json::array();
-  for (const auto& [about, parameters, run] : planar_algorithms()) {
+  for (const PlanarAlgorithm& algorithm : planar_algorithms()) {
+    const AlgorithmAbout& about = algorithm.about;
     json listed = json::array();
-    for (const Parameter& parameter : parameters) listed.push_back(parameter_json(parameter));
+    for (const Parameter& parameter : algorithm.parameters) listed.push_back(parameter_json(parameter));
     all.push_back({{"name", about.name},
                    {"dimension", about.dimension},
                    {"cites", about.cites},

@@ -145,8 +145,9 @@ class CommandLine {
     verb->add_option("--set", o.settings, "a parameter of the algorithm, NAME=VALUE; may be repeated")
         ->allow_extra_args(false);
     verb->add_option("--backend", o.backend, "see tribunal list backends")->capture_default_str();
-    verb->add_option("--order", o.order, "insertion order: random, input, hilbert, x or brio")
-        ->capture_default_str();
+    verb->add_option("--order", o.order,
+                     "insertion order: random, input, hilbert, x or brio; unless told, random, and brio for "
+                     "constrained");
     verb->add_option("--seed", o.seed, "seed of the random order")
         ->check(check_whole_number)
         ->capture_default_str();

@@ -37,13 +37,15 @@ struct Method {
   const PlanarAlgorithm& algorithm;
   Settings settings;
   const BackendEntry& backend;
+  std::string order_name;
   Order order;
 };
 
 Method method_of(const TriangulateOptions& options) {
   const PlanarAlgorithm& algorithm = algorithm_named(options.algorithm);
+  const std::string order = options.order.empty() ? std::string(algorithm.order) : options.order;
   return {algorithm, settings_for(algorithm.about.name, algorithm.parameters, options.settings),
-          backend_named(options.backend), order_named(options.order)};
+          backend_named(options.backend), order, order_named(order)};
 }
 
 /// Points, and segments where the file holds any.
@@ -171,21 +173,19 @@ Run run_method(const Method& method, const Input& input, const Kernel2& kernel, 
   return run;
 }
 
-json stats_json(const TriangulateOptions& options, const Settings& settings, const Input& input,
-                const Run& run) {
+json stats_json(const TriangulateOptions& options, const Method& method, const Input& input, const Run& run) {
   const Triangulation& t = run.result;
-  const Counters& c = t.counters;
   json history = nullptr;
   if (t.history)
     history = {{"nodes", t.history->nodes},
                {"depth_mean", t.history->depth_mean},
                {"depth_late_mean", t.history->depth_late_mean},
                {"depth_max", t.history->depth_max}};
-  return {
+  json stats{
       {"algorithm", options.algorithm},
-      {"parameters", settings},
+      {"parameters", method.settings},
       {"backend", options.backend},
-      {"order", options.order},
+      {"order", method.order_name},
       {"seed", options.seed},
       {"n", input.points().points.size()},
       {"segments", run.constrained ? segments_json(*input.with_segments, *run.constrained) : json(nullptr)},
@@ -196,19 +196,13 @@ json stats_json(const TriangulateOptions& options, const Settings& settings, con
       {"triangles", t.triangles.size()},
       {"edges", t.edges},
       {"hull", t.hull},
-      {"tau", c.tau},
-      {"tau_with_ghosts", c.tau_with_ghosts},
-      {"created", c.created},
-      {"flips", c.flips},
-      {"on_edge", c.on_edge},
-      {"outside_hull", c.outside_hull},
-      {"conflict_tests", c.conflict_tests},
-      {"location_steps", c.location_steps},
       {"history", history},
       {"predicates", predicates_json(run.counts)},
       {"digest", to_hex(digest(t.triangles))},
       {"seconds", run.seconds},
       {"peak_bytes", run.peak_bytes}};
+  for (const auto& [name, count] : by_name(t.counters)) stats[name] = count;
+  return stats;
 }
 
 void print_summary(Console console, const json& stats) {
@@ -270,7 +264,7 @@ int triangulate(const TriangulateOptions& options, Console& console) {
     run.constrained->mesh.reason = result.reason;
     result.reason = cli::describe(*input.with_segments, *run.constrained);
   }
-  const json stats = stats_json(options, method.settings, input, run);
+  const json stats = stats_json(options, method, input, run);
 
   report_duplicates(input.points(), result, options, console);
   if (!options.stats.empty()) write_text(options.stats, stats.dump(2) + "\n");

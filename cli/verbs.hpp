@@ -38,7 +38,7 @@ struct TriangulateOptions {
   std::string algorithm = "green-sibson";
   std::vector<std::string> settings;  ///< of the algorithm's parameters, as "name=value"
   std::string backend = "filtered";
-  std::string order = "random";
+  std::string order;  ///< empty: the algorithm's own
   std::uint64_t seed = 1;
   std::uint64_t n = 0;  ///< where `points` is a dataset's name; 0: as in PointsOptions
   std::string mesh;     ///< output file; empty: none

@@ -2,6 +2,8 @@
 
 #include "algorithms/constrained/channel.hpp"
 
+#include <algorithm>
+
 namespace tribunal::constrained {
 namespace {
 
@@ -43,10 +45,14 @@ void put_on(Mesh& mesh, HalfEdge h, Index segment, Recovered& recovered) {
   recovered.runs.push_back({segment, mesh.piece(h)});
 }
 
+/// Each triangle that fills a channel looks at all that is left of its side, and where a segment runs beside
+/// a row of points these looks add up to a square; swaps seldom do.
+constexpr std::size_t longest_filled = 256;
+
 /// Makes the end of the channel a neighbour of its start, by a held edge.
 void join_ends(Mesh& mesh, const Channel& channel, Index segment, Recovery recovery, Recovered& recovered) {
   std::vector<Edge> suspects;
-  if (recovery == Recovery::swaps)
+  if (recovery == Recovery::swaps || channel.crossed.size() > longest_filled)
     suspects = swap_away(mesh, channel, recovered.swaps);
   else
     fill(mesh, channel);
@@ -57,10 +63,25 @@ void join_ends(Mesh& mesh, const Channel& channel, Index segment, Recovery recov
   recovered.swaps += mesh.restore(std::move(suspects));
 }
 
-}  // namespace
+/// Whether b has fewer neighbours than a, who has many. O(1).
+bool has_smaller_star(const Mesh& mesh, Index b, Index a) {
+  constexpr int many = 64;
+  const HalfEdge first_a = mesh.link(a), first_b = mesh.link(b);
+  HalfEdge at_a = first_a, at_b = first_b;
+  for (int i = 0; i < many; ++i) {
+    at_a = mesh.next_link(at_a);
+    at_b = mesh.next_link(at_b);
+    if (at_a == first_a) return false;
+    if (at_b == first_b) {
+      for (++i; i < many && at_a != first_a; ++i) at_a = mesh.next_link(at_a);
+      return at_a != first_a;
+    }
+  }
+  return false;
+}
 
-std::optional<Index> recover(Mesh& mesh, Index a, Index b, Index segment, Recovery recovery,
-                             Recovered& recovered) {
+std::optional<Index> recover_forwards(Mesh& mesh, Index a, Index b, Index segment, Recovery recovery,
+                                      Recovered& recovered) {
   while (a != b) {
     const Channel channel = trace(mesh, a, b);
     if (channel.blocked_by != free_edge) return recovered.pieces[channel.blocked_by].segment;
@@ -72,6 +93,21 @@ std::optional<Index> recover(Mesh& mesh, Index a, Index b, Index segment, Recove
     if (a != b) recovered.touches.push_back({segment, a});
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+// Where a segment leaves a vertex is found by going around it: around the end with few neighbours.
+std::optional<Index> recover(Mesh& mesh, Index a, Index b, Index segment, Recovery recovery,
+                             Recovered& recovered) {
+  if (a == b || !has_smaller_star(mesh, b, a))
+    return recover_forwards(mesh, a, b, segment, recovery, recovered);
+  const auto runs = static_cast<std::ptrdiff_t>(recovered.runs.size()),
+             touches = static_cast<std::ptrdiff_t>(recovered.touches.size());
+  const auto crossed = recover_forwards(mesh, b, a, segment, recovery, recovered);
+  std::reverse(recovered.runs.begin() + runs, recovered.runs.end());
+  std::reverse(recovered.touches.begin() + touches, recovered.touches.end());
+  return crossed;
 }
 
 }  // namespace tribunal::constrained

@@ -81,6 +81,7 @@ void merge_four(Mesh& mesh, const std::vector<HalfEdge>& around) {
 std::vector<Index> remove(Mesh& mesh, Index vertex) {
   std::vector<HalfEdge> around = links(mesh, vertex);
   std::vector<Index> places;
+  places.reserve(around.size());
   for (const HalfEdge h : around) places.push_back(triangle_of(h));
   std::vector<Edge> suspects = shed(mesh, vertex, around.size());
   around = links(mesh, vertex);

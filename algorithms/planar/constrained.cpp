@@ -35,6 +35,7 @@ constinit const PlanarAlgorithm constrained_algorithm{
               .summary = "constrained Delaunay of points and segments: insertion by walking, segments by "
                          "cavities or swaps"},
     .parameters = constrained::parameters,
+    .order = "brio",  // it walks from site to site
     .run = run,
 };
 

@@ -10,14 +10,11 @@
 
 namespace tribunal::refinement {
 
-inline constexpr Values field_values{.describe = "values, shock, slip-line, or a formula of x and y",
-                                     .holds = [](std::string_view text) {
-                                       try {
-                                         return text == "values" || formula_field(text) != nullptr;
-                                       } catch (const Abandon&) {
-                                         return false;
-                                       }
-                                     }};
+inline constexpr Values field_values{
+    .describe = "values, shock, slip-line, or a formula of x and y",
+    .holds =
+        [](std::string_view text) { return text == "values" || refusal_of(formula_field, text).empty(); },
+    .reason = [](std::string_view text) { return refusal_of(formula_field, text); }};
 inline constexpr Values tolerance_values{.describe = "a number above 0", .holds = [](std::string_view text) {
                                            const auto tolerance = parse_number(text);
                                            return tolerance && *tolerance > 0;

@@ -67,14 +67,18 @@ class Chew {
         measure(worst.place);  // an edge was split that is too long for the triangle to have noticed
     }
     counts_.steps = mesh_.steps();
+    for (Index t = 0; t < mesh_.triangles().triangles(); ++t)
+      counts_.forced +=
+          mesh_.in_domain(t) && is_sharper(mesh_.corners(t), options_.bound) && small_.forces(mesh_, t);
   }
 
  private:
   void require_room() const {
     if (mesh_.vertices() < options_.most_vertices) return;
-    throw Abandon(Outcome::refused_input, "size and angle would take more than the " +
-                                              std::to_string(options_.most_vertices) +
-                                              " vertices that are allowed");
+    throw Abandon(Outcome::refused_input,
+                  std::string(options_.measure == nullptr ? "size and angle" : "size, angle and field") +
+                      " would take more than the " + std::to_string(options_.most_vertices) +
+                      " vertices that are allowed");
   }
 
   void measure(Index t) {
@@ -84,9 +88,7 @@ class Chew {
     const bool large = *std::max_element(edges.begin(), edges.end()) > size_.limit(mesh_, t) ||
                        (options_.measure != nullptr && options_.measure->fails(mesh_, t));
     if (!large && !is_sharper(corners, options_.bound)) return;
-    if (!large && small_.forces(mesh_, t)) {
-      return;
-    }
+    if (!large && small_.forces(mesh_, t)) return;
     heap_.push({circumradius(corners), mesh_.triangles().triangle(t), t});
   }
 
@@ -187,14 +189,6 @@ class Chew {
   std::set<Edge> cleared_;  // held edges whose sides were cleared
 };
 
-/// The triangles below the bound that are left.
-std::uint64_t count_sharper(const Refined& mesh, AngleBound bound) {
-  return static_cast<std::uint64_t>(
-      std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
-        return is_sharper({mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]}, bound);
-      }));
-}
-
 }  // namespace
 
 ChewCounts refine_mesh(SteinerMesh& mesh, const ChewOptions& options) {
@@ -210,7 +204,6 @@ Refinement refine_by_circumcentres(const Graph& graph, std::span<const Index> or
     SteinerMesh mesh(graph, order, kernel);
     result.counts = refine_mesh(mesh, options);
     result.mesh = mesh.result();
-    result.counts.forced = count_sharper(result.mesh, options.bound);
   });
   return result;
 }

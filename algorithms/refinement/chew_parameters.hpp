@@ -18,15 +18,10 @@ inline constexpr Values ratio_values{.describe = "none, or a number above 0.5774
                                        const auto ratio = parse_number(text);
                                        return text == "none" || (ratio && *ratio > 0.5774);
                                      }};
-inline constexpr Values size_values{.describe = "none, boundary, a positive length, or a formula of x and y",
-                                    .holds = [](std::string_view text) {
-                                      try {
-                                        Size::parse(text);
-                                        return true;
-                                      } catch (const Abandon&) {
-                                        return false;
-                                      }
-                                    }};
+inline constexpr Values size_values{
+    .describe = "none, boundary, a positive length, or a formula of x and y",
+    .holds = [](std::string_view text) { return refusal_of(Size::parse, text).empty(); },
+    .reason = [](std::string_view text) { return refusal_of(Size::parse, text); }};
 
 inline constexpr std::array chew_parameters{
     Parameter{.name = "angle",

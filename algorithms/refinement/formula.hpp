@@ -1,6 +1,8 @@
 // Formulas that users write: a size or a field as a function of the place.
 #pragma once
 
+#include "algorithms/abandon.hpp"
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -56,5 +58,16 @@ class Formula {
  private:
   std::vector<Instruction> program_;  // in reverse Polish notation
 };
+
+/// Why `parse(text)` is refused, or nothing where it is not.
+template <class Parse>
+std::string refusal_of(Parse parse, std::string_view text) {
+  try {
+    parse(text);
+    return {};
+  } catch (const Abandon& refused) {
+    return refused.what();
+  }
+}
 
 }  // namespace tribunal::refinement

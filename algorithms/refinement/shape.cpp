@@ -3,6 +3,7 @@
 #include <gmpxx.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -48,6 +49,14 @@ AngleBound AngleBound::degrees(double angle) {
 }
 
 AngleBound AngleBound::radius_to_edge(double ratio) { return {0.25 / (ratio * ratio)}; }
+
+std::string text_of(Point2 p) {
+  std::array<char, 64> text{};
+  const auto shortest = [&](double x) {
+    return std::string(text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr);
+  };
+  return "x = " + shortest(p[0]) + ", y = " + shortest(p[1]);
+}
 
 double distance(Point2 a, Point2 b) {
   const double x = b[0] - a[0], y = b[1] - a[1], squared = x * x + y * y;

@@ -4,6 +4,7 @@
 #include "predicates/point.hpp"
 
 #include <array>
+#include <string>
 
 namespace tribunal::refinement {
 
@@ -23,6 +24,9 @@ struct AngleBound {
 /// Whether the smallest angle of the triangle, which is counter-clockwise, is less than the bound: exact. A
 /// filter of floating-point numbers decides nearly always, rational numbers the rest.
 bool is_sharper(const Corners& triangle, AngleBound bound);
+
+/// "x = 0.5, y = 1e-09", for messages.
+std::string text_of(Point2 p);
 
 /// Rounded, whatever the coordinates: no square leaves the range of doubles.
 double distance(Point2 a, Point2 b);

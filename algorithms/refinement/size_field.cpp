@@ -53,9 +53,7 @@ double SizeField::limit(const SteinerMesh& mesh, Index t) const {
     const auto [a, b, c] = mesh.corners(t);
     const std::array at{(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3};
     length = (*size_.of_place)(at);
-    if (!(length > 0))
-      throw Abandon(Outcome::refused_input, "the size is not positive at x = " + std::to_string(at[0]) +
-                                                ", y = " + std::to_string(at[1]));
+    if (!(length > 0)) throw Abandon(Outcome::refused_input, "the size is not positive at " + text_of({at}));
   } else if (size_.kind == Size::Kind::boundary) {
     const Triangle v = mesh.triangles().triangle(t);
     length = (lengths_[v[0]] + lengths_[v[1]] + lengths_[v[2]]) / 3;

@@ -1,6 +1,7 @@
 #include "algorithms/refinement/solution.hpp"
 
 #include "algorithms/location/stochastic_walk.hpp"
+#include "algorithms/refinement/shape.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,8 +18,6 @@ struct NamedFormula {
 };
 constexpr std::array<NamedFormula, 2> named{{{"shock", "tanh(60*(y - 1 + 1.2*x)) + tanh(60*(1.2*x - 1 - y))"},
                                              {"slip-line", "tanh(60*(y - 0.5 - 0.1*sin(6*x)))"}}};
-
-std::string text_of(Point2 p) { return "x = " + std::to_string(p[0]) + ", y = " + std::to_string(p[1]); }
 
 class FormulaField : public Field {
  public:

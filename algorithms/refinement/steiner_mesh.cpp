@@ -178,20 +178,11 @@ Refined SteinerMesh::result() const {
     result.points.push_back(point(v));
   }
   const PlanarMesh& t = triangles();
-  std::vector<std::pair<Index, Edge>> held;
   for (Index i = 0; i < t.triangles(); ++i) {
     const Triangle v = t.triangle(i);
     if (in_domain(i)) result.triangles.push_back({number[v[0]], number[v[1]], number[v[2]]});
   }
-  for (HalfEdge h = 0; h < 3 * t.triangles(); ++h)
-    if (mesh_.held(h) && h < t.twin(h))
-      held.push_back({mesh_.piece(h), {number[t.from(h)], number[t.to(h)]}});
-  std::sort(held.begin(), held.end());
-  for (const auto& [segment, piece] : runs_) {
-    auto part = std::lower_bound(held.begin(), held.end(), std::pair{piece, Edge{0, 0}});
-    for (; part != held.end() && part->first == piece; ++part)
-      result.subsegments.push_back({part->second, segment});
-  }
+  result.subsegments = find_subsegments(mesh_, runs_, [&](Index v) { return number[v]; });
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "algorithms/constrained/graph_mesh.hpp"
 #include "algorithms/refinement/sight.hpp"
+#include "algorithms/refinement/subsegments.hpp"
 
 #include <array>
 #include <optional>
@@ -13,12 +14,6 @@ namespace tribunal::refinement {
 
 /// The boundary of a hull has edges that lie on no segment.
 inline constexpr Index no_segment = 0xFFFFFFFF;
-
-/// A part of an input segment that is one edge. Where segments overlap there is one for each.
-struct Subsegment {
-  Edge ends;
-  Index segment;
-};
 
 /// What refinement makes of a graph.
 struct Refined {

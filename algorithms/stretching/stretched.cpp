@@ -177,8 +177,7 @@ class Run {
       out.mesh.triangles.push_back({name(a), name(b), name(c)});
       out.counts.worst_measure = std::max(out.counts.worst_measure, guides_.measure(mesh_, i));
     }
-    for (Index s = 0; s < graph_.segments.size(); ++s)
-      out.mesh.subsegments.push_back({graph_.segments[s], s});
+    out.mesh.subsegments = refinement::find_subsegments(mesh_, built_.recovered.runs, name);
     return out;
   }
 

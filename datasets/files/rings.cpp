@@ -5,16 +5,6 @@
 #include <algorithm>
 
 namespace tribunal::files {
-namespace {
-std::string at(Point2 point) {
-  std::string text = "(";
-  append_number(text, point[0]);
-  text += ", ";
-  append_number(text, point[1]);
-  return text + ")";
-}
-}  // namespace
-
 void Rings::push(Point2 point, Scanner::Place where) {
   if (size() == 0xFFFFFFFF) cursor_.refuse_at(where, "more points than 32 bits can number");
   pslg_.sites.points.push_back(point);
@@ -29,7 +19,7 @@ void Rings::join(std::uint32_t a, std::uint32_t b) {
 
 void Rings::add(Point2 point, Scanner::Place where) {
   if (size() > first_ && pslg_.sites.points.back() == point)
-    cursor_.refuse_at(where, "a segment without length: " + at(point) + " follows itself");
+    cursor_.refuse_at(where, "a segment without length: " + point_text(point) + " follows itself");
   push(point, where);
   if (size() > first_ + 1) join(size() - 2, size() - 1);
 }
@@ -43,9 +33,9 @@ void Rings::end_ring(Scanner::Place where) {
   PointFile& sites = pslg_.sites;
   if (size() == first_) return;
   if (!(sites.points[first_] == sites.points.back()) || size() == first_ + 1)
-    cursor_.refuse_at(where, "an open ring: it begins at " + at(sites.points[first_]) + " in line " +
+    cursor_.refuse_at(where, "an open ring: it begins at " + point_text(sites.points[first_]) + " in line " +
                                  std::to_string(sites.lines[first_]) + " and ends at " +
-                                 at(sites.points.back()));
+                                 point_text(sites.points.back()));
   if (size() < first_ + 4) cursor_.refuse_at(where, "a ring of less than three points");
   sites.points.pop_back();
   sites.lines.pop_back();

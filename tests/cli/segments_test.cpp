@@ -57,7 +57,11 @@ TEST(Segments, CrossingsAreRefusedOrSplit) {
       tribunal({"triangulate", file, "--algorithm", "constrained", "--set", "domain=hull", "-o", mesh});
   EXPECT_EQ(refused.status, 2);
   EXPECT_TRUE(refused.one_line_error());
-  EXPECT_EQ(refused.err.rfind("tribunal: " + file + ":8: this segment crosses that of line 7", 0), 0U)
+  EXPECT_EQ(
+      refused.err.rfind("tribunal: " + file +
+                            ":8: this segment, (0, 1) to (3, 0), crosses that of line 7, (0, 0) to (3, 1)",
+                        0),
+      0U)
       << refused.err;
   EXPECT_FALSE(std::filesystem::exists(mesh));
   const Ended split =
@@ -88,7 +92,8 @@ TEST(Segments, BadFilesAreRefusedWithTheirPlace) {
            Blamed{"length.poly", "2 2 0 0\n0 0 0\n1 4 0\n1 0\n0 1 1\n0\n", ":5:5: a segment without length"},
            Blamed{"nan.poly", "2 2 0 0\n0 0 0\n1 nan 0\n1 0\n0 0 1\n0\n", ":3:3: x is"},
            Blamed{"open.wkt", "POLYGON((0 0,4 0,0 4))", ":1:9: an open ring"},
-           Blamed{"eight.wkt", "POLYGON((0 0,4 4,4 0,0 4,0 0))", ":1: this segment crosses"},
+           Blamed{"eight.wkt", "POLYGON((0 0,4 4,4 0,0 4,0 0))",
+                  ":1: this segment, (4, 0) to (0, 4), crosses that of line 1, (0, 0)"},
            Blamed{"flat.wkt", "POLYGON((0 0,4 4,2 2,0 0))", ": all points lie on one line"},
        }) {
     const std::string file = folder.write(bad.name, bad.text), mesh = folder / "mesh.off";
