@@ -78,9 +78,11 @@ std::string describe(const GraphInput& input, const ConstrainedTriangulation& re
            refused.mesh.reason;
   if (refused.open_end && *refused.open_end < input.file.sites.lines.size())
     return input.path + ":" + std::to_string(input.file.sites.lines[*refused.open_end]) +
-           ": an open loop ends at this point, and the domain is to be bounded by closed ones (a carved one "
-           "may " +
-           "have segments that end inside)";
+           (input.domain == Domain::even_odd
+                ? ": an open loop ends at this point, and the domain is to be bounded by closed ones (a "
+                  "carved "
+                  "one may have segments that end inside)"
+                : ": a loop is open at this point, and no other encloses anything");
   return input.path + ": " + refused.mesh.reason;
 }
 

@@ -26,10 +26,14 @@ Colouring colouring_named(const std::string& name) {
 std::optional<std::array<Point2, 2>> window_of(const std::string& text) {
   if (text.empty()) return std::nullopt;
   std::vector<double> numbers;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', from), text.size());
-    numbers.push_back(parse_number(text.substr(from, comma - from)));
-    from = comma + 1;
+  try {
+    for (std::size_t from = 0; from <= text.size();) {
+      const std::size_t comma = std::min(text.find(',', from), text.size());
+      numbers.push_back(parse_number(text.substr(from, comma - from)));
+      from = comma + 1;
+    }
+  } catch (const BadUsage& bad) {
+    throw BadUsage("--window " + text + ": " + bad.what());
   }
   if (numbers.size() != 4 || !(numbers[0] < numbers[2] && numbers[1] < numbers[3]))
     throw BadUsage("--window " + text + ": its corners are x0,y0,x1,y1 with x0 < x1 and y0 < y1");

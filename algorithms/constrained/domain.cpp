@@ -103,11 +103,34 @@ std::vector<Index> triangles_around(const Mesh& mesh, std::span<const Point2> ho
   return found;
 }
 
+/// At each vertex, how many edges there count.
+template <class Counts>
+std::vector<Index> held_edges_at(const Mesh& mesh, Counts counts) {
+  const PlanarMesh& t = mesh.triangles();
+  std::vector<Index> edges(mesh.vertices(), 0);
+  for (HalfEdge h = 0; h < 3 * t.triangles(); ++h)
+    if (h < t.twin(h) && counts(h))
+      for (const Index end : {t.from(h), t.to(h)}) ++edges[end];
+  return edges;
+}
+
+/// Refuses vertices where that many edges leave a loop open.
+template <class IsEnd>
+void require_no_ends(const std::vector<Index>& edges_at, IsEnd is_end) {
+  std::vector<Index> ends;
+  for (Index v = 0; v < edges_at.size(); ++v)
+    if (is_end(edges_at[v])) ends.push_back(v);
+  if (!ends.empty()) throw OpenLoop(std::move(ends));
+}
+
 std::vector<bool> carve(const Mesh& mesh, const Graph& graph) {
   std::vector<bool> inside(mesh.triangles().triangles(), true);
   remove_region(mesh, ghosts(mesh), inside);
-  if (std::find(inside.begin(), inside.end(), true) == inside.end())
+  if (std::find(inside.begin(), inside.end(), true) == inside.end()) {
+    require_no_ends(held_edges_at(mesh, [&](HalfEdge h) { return mesh.held(h); }),
+                    [](Index n) { return n == 1; });
     throw Abandon(Outcome::refused_input, "no segments close a loop: the outside reaches every triangle");
+  }
   const std::vector<bool> enclosed = inside;
   const std::vector<Index> around = triangles_around(mesh, graph.holes);
   for (Index hole = 0; hole < around.size(); ++hole) {
@@ -122,21 +145,11 @@ bool odd(const Mesh& mesh, const Recovered& recovered, HalfEdge h) {
   return mesh.held(h) && recovered.pieces[mesh.piece(h)].segments % 2 == 1;
 }
 
-/// Refuses where a vertex ends an odd number of odd edges: they then bound nothing.
-void require_closed_loops(const Mesh& mesh, const Recovered& recovered) {
-  const PlanarMesh& t = mesh.triangles();
-  std::vector<bool> ends_odd(mesh.vertices(), false);
-  for (HalfEdge h = 0; h < 3 * t.triangles(); ++h)
-    if (h < t.twin(h) && odd(mesh, recovered, h))
-      for (const Index end : {t.from(h), t.to(h)}) ends_odd[end] = !ends_odd[end];
-  const auto open = std::find(ends_odd.begin(), ends_odd.end(), true);
-  if (open != ends_odd.end()) throw OpenLoop(static_cast<Index>(open - ends_odd.begin()));
-}
-
 /// Labels spread from the ghosts and change across odd edges. Loops being closed, every way to a triangle
 /// gives it the same label.
 std::vector<bool> count_crossings(const Mesh& mesh, const Recovered& recovered) {
-  require_closed_loops(mesh, recovered);
+  const auto counts = [&](HalfEdge h) { return odd(mesh, recovered, h); };
+  require_no_ends(held_edges_at(mesh, counts), [](Index n) { return n % 2 == 1; });
   const PlanarMesh& t = mesh.triangles();
   std::vector<bool> inside(t.triangles(), false), seen(t.triangles(), false);
   std::vector<Index> front = ghosts(mesh);

@@ -15,15 +15,17 @@ struct NoHole : Abandon {
   Index hole;
 };
 
-/// Segments that enclose nothing, ending at a vertex of the mesh.
+/// Segments that enclose nothing, ending at these vertices of the mesh.
 struct OpenLoop : Abandon {
-  explicit OpenLoop(Index end) : Abandon(Outcome::refused_input, "an open loop"), vertex(end) {}
-  Index vertex;
+  explicit OpenLoop(std::vector<Index> at)
+      : Abandon(Outcome::refused_input, "an open loop"), ends(std::move(at)) {}
+  std::vector<Index> ends;
 };
 
 /// For each triangle whether it belongs to the domain; ghosts never do. Throws NoHole for a hole point
-/// outside the domain or on a segment, OpenLoop where the even-odd rule has no meaning, Abandon where the
-/// domain is empty. Linear, and for each hole a walk.
+/// outside the domain or on a segment, OpenLoop where the even-odd rule has no meaning, or nothing is
+/// enclosed and segments have loose ends, Abandon where the domain is empty otherwise. Linear, and for each
+/// hole a walk.
 std::vector<bool> find_domain(const Mesh& mesh, const Recovered& recovered, const Graph& graph);
 
 }  // namespace tribunal::constrained

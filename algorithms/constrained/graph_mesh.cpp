@@ -68,7 +68,9 @@ GraphMesh build_graph_mesh(const Graph& graph, const GraphSites& sites, const Ke
   try {
     built.inside = find_domain(built.mesh, built.recovered, graph);
   } catch (const OpenLoop& error) {
-    throw OpenLoop(sites.order[error.vertex]);
+    Index first = sites.order[error.ends[0]];
+    for (const Index end : error.ends) first = std::min(first, sites.order[end]);
+    throw OpenLoop({first});
   }
   return built;
 }
@@ -87,7 +89,7 @@ void report_refusals(ConstrainedTriangulation& result, const std::function<void(
     result.hole = error.hole;
     refuse(error);
   } catch (const OpenLoop& error) {
-    result.open_end = error.vertex;
+    result.open_end = error.ends[0];
     refuse(error);
   } catch (const Abandon& error) {
     refuse(error);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace tribunal::constrained {
@@ -57,7 +58,11 @@ class Enclosure {
 /// A ring passes through a point, duplicates standing for the first of them.
 struct Passage {
   Index ring, point;
-  auto operator<=>(const Passage&) const = default;
+
+  friend bool operator==(const Passage&, const Passage&) = default;
+  friend bool operator<(const Passage& a, const Passage& b) {
+    return std::pair(a.ring, a.point) < std::pair(b.ring, b.point);
+  }
 };
 
 class Rings {

@@ -88,7 +88,7 @@ TEST(Segments, BadFilesAreRefusedWithTheirPlace) {
            Blamed{"on.poly", "3 2 0 0\n0 0 0\n1 4 0\n2 0 4\n3 0\n0 0 1\n1 1 2\n2 2 0\n1\n0 2 2\n",
                   ":10: hole 0 lies on"},
            Blamed{"open.poly", "3 2 0 0\n0 0 0\n1 4 0\n2 0 4\n2 0\n0 0 1\n1 1 2\n0\n",
-                  ": no segments close a loop"},
+                  ":2: a loop is open at this point"},
            Blamed{"length.poly", "2 2 0 0\n0 0 0\n1 4 0\n1 0\n0 1 1\n0\n", ":5:5: a segment without length"},
            Blamed{"nan.poly", "2 2 0 0\n0 0 0\n1 nan 0\n1 0\n0 0 1\n0\n", ":3:3: x is"},
            Blamed{"open.wkt", "POLYGON((0 0,4 0,0 4))", ":1:9: an open ring"},
