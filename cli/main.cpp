@@ -136,15 +136,24 @@ class CommandLine {
         ->check(CLI::Range(0, 100));
     verb->add_option("--against", o.against, "mark the edges that this mesh over the same points lacks");
   }
+  static void add_method(CLI::App* verb, const char* whose, std::vector<std::string>& settings,
+                         std::string& backend) {
+    verb->add_option("--set", settings,
+                     std::string("a parameter of the ") + whose + ", NAME=VALUE; may be repeated")
+        ->allow_extra_args(false);
+    verb->add_option("--backend", backend, "see tribunal list backends")->capture_default_str();
+  }
+  static void add_outputs(CLI::App* verb, std::string& mesh, const char* endings, std::string& stats) {
+    verb->add_option("-o,--output", mesh, std::string("mesh file: ") + endings);
+    verb->add_option("--stats", stats, "statistics as JSON");
+  }
   void add_triangulate() {
     auto& o = triangulate_options;
     auto* verb = add_verb("triangulate", "triangulate a file of points",
                           "tribunal triangulate points.xy -o mesh.off --stats stats.json", o, triangulate);
     verb->add_option("points", o.points, "a file, - for standard input, or a dataset's name")->required();
     verb->add_option("--algorithm", o.algorithm, "see tribunal list algorithms")->capture_default_str();
-    verb->add_option("--set", o.settings, "a parameter of the algorithm, NAME=VALUE; may be repeated")
-        ->allow_extra_args(false);
-    verb->add_option("--backend", o.backend, "see tribunal list backends")->capture_default_str();
+    add_method(verb, "algorithm", o.settings, o.backend);
     verb->add_option("--order", o.order,
                      "insertion order: random, input, hilbert, x or brio; unless told, random, and brio for "
                      "constrained");
@@ -152,8 +161,7 @@ class CommandLine {
         ->check(check_whole_number)
         ->capture_default_str();
     add_size(verb, o.n);
-    verb->add_option("-o,--output", o.mesh, "mesh file: .off or .ele");
-    verb->add_option("--stats", o.stats, "statistics as JSON");
+    add_outputs(verb, o.mesh, ".off or .ele", o.stats);
     add_picture(verb, o.picture);
   }
   void add_verify() {
@@ -179,11 +187,8 @@ class CommandLine {
     verb->add_option("mesh", o.mesh, "the mesh: .off or .ele")->required();
     verb->add_option("--criterion", o.criterion, "delaunay, minmax, minmax-global or data-dependent")
         ->capture_default_str();
-    verb->add_option("--set", o.settings, "a parameter of the flips, NAME=VALUE; may be repeated")
-        ->allow_extra_args(false);
-    verb->add_option("--backend", o.backend, "see tribunal list backends")->capture_default_str();
-    verb->add_option("-o,--output", o.output, "mesh file: .off or .ele");
-    verb->add_option("--stats", o.stats, "statistics as JSON");
+    add_method(verb, "flips", o.settings, o.backend);
+    add_outputs(verb, o.output, ".off or .ele", o.stats);
     add_picture(verb, o.picture);
   }
   void add_refine() {
@@ -193,11 +198,8 @@ class CommandLine {
                           tribunal::cli::refine);
     verb->add_option("boundary", o.boundary, "segments and holes: .poly, .geojson or .wkt")->required();
     verb->add_option("--algorithm", o.algorithm, "chew, stretched or adaptive")->capture_default_str();
-    verb->add_option("--set", o.settings, "a parameter of the algorithm, NAME=VALUE; may be repeated")
-        ->allow_extra_args(false);
-    verb->add_option("--backend", o.backend, "see tribunal list backends")->capture_default_str();
-    verb->add_option("-o,--output", o.output, "mesh file: .ele, with .node and .poly beside it, or .off");
-    verb->add_option("--stats", o.stats, "statistics as JSON");
+    add_method(verb, "algorithm", o.settings, o.backend);
+    add_outputs(verb, o.output, ".ele, with .node and .poly beside it, or .off", o.stats);
     add_picture(verb, o.picture, "plain, angle or smallest-angle");
   }
   void add_bench() {
