@@ -15,7 +15,6 @@
 #include "datasets/files/pslg.hpp"
 #include "datasets/files/text.hpp"
 
-#include <filesystem>
 #include <ostream>
 
 namespace tribunal::cli {
@@ -27,9 +26,7 @@ struct MeshInput {
 };
 
 using nlohmann::json;
-namespace fs = std::filesystem;
 
-/// What is wrong with the outputs is said before anything is computed.
 /// Flips take a triangulation for granted: anything else is refused, with its first fault.
 void require_triangulation(const OptimizeOptions& options, const MeshInput& input) {
   const auto verdict =

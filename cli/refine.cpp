@@ -16,14 +16,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
 #include <ostream>
 
 namespace tribunal::cli {
 namespace {
 using nlohmann::json;
 using refinement::RefinedGraph;
-namespace fs = std::filesystem;
 
 GraphInput boundary_of(const RefineOptions& options) {
   auto file = read_pslg(options.boundary);

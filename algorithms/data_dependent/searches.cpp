@@ -156,7 +156,7 @@ FlipCounts anneal(const RoughMesh& rough, std::uint64_t most_flips, const Coolin
       if (!rough.is_flippable(edge)) continue;
       ++counts.tests;
       const double loss = -rough.roughness.change_by_flip(rough.mesh, edge).gain();
-      if (!(loss < 0 || draw < std::exp(-loss / temperature))) continue;
+      if (!std::isfinite(loss) || !(loss < 0 || draw < std::exp(-loss / temperature))) continue;
       rough.mesh.flip(edge);
       ++counts.flips;
     }

@@ -1,6 +1,7 @@
 // Angles as numbers, to be shown; decisions compare them exactly.
 #pragma once
 
+#include "algorithms/direction.hpp"
 #include "algorithms/flips/min_max_criterion.hpp"
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace tribunal {
 /// Of the corner {a, apex, b}, in degrees, rounded.
 inline double degrees(const Sites& sites, const Triangle& corner) {
   const auto &a = sites.points[corner[0]], &apex = sites.points[corner[1]], &b = sites.points[corner[2]];
-  const double ux = a[0] - apex[0], uy = a[1] - apex[1], vx = b[0] - apex[0], vy = b[1] - apex[1];
+  const auto [ux, uy] = direction(apex, a);
+  const auto [vx, vy] = direction(apex, b);
   return std::atan2(std::abs(ux * vy - uy * vx), ux * vx + uy * vy) * 180 / std::numbers::pi;
 }
 

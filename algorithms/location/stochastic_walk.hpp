@@ -15,6 +15,9 @@ class StochasticWalk {
  public:
   StochasticWalk(const PlanarProblem& problem, const PlanarMesh& mesh) : problem_(problem), mesh_(mesh) {}
 
+  /// The next walk starts here.
+  void start_at(Index t) { at_ = t; }
+
   /// A finite triangle that contains the site (boundary included) or a ghost whose hull edge sees it from
   /// strictly outside. Adds its steps to `steps`.
   Index locate(Index site, std::uint64_t& steps) {

@@ -21,24 +21,6 @@ struct Failed {
   }
 };
 
-/// What lies closer to `centre` than `end`, can be deleted, and is seen from it past other such vertices.
-std::vector<Index> deletable_around(const SteinerMesh& mesh, Index centre, Index end) {
-  std::vector<Index> found;
-  const auto look_around = [&](Index from) {
-    mesh.for_star(from, [&](Index t) {
-      for (const Index v : mesh.triangles().triangle(t)) {
-        if (mesh.role(v) != Role::free || std::find(found.begin(), found.end(), v) != found.end()) continue;
-        if (mesh.mesh().kernel().compare_length(mesh.point(centre), mesh.point(v), mesh.point(centre),
-                                                mesh.point(end)) == Sign::negative)
-          found.push_back(v);
-      }
-    });
-  };
-  look_around(centre);
-  for (std::size_t i = 0; i < found.size(); ++i) look_around(found[i]);
-  return found;
-}
-
 class Chew {
  public:
   Chew(SteinerMesh& mesh, const ChewOptions& options, ChewCounts& counts)
@@ -144,7 +126,29 @@ class Chew {
     const Point2 p = mesh_.point(vertex);
     const bool first = mesh_.mesh().kernel().compare_length(p, mesh_.point(ends[0]), p,
                                                             mesh_.point(ends[1])) != Sign::positive;
-    for (const Index v : deletable_around(mesh_, vertex, ends[first ? 0 : 1])) remove(v, changed);
+    for (const Index v : deletable_around(vertex, ends[first ? 0 : 1])) remove(v, changed);
+  }
+
+  /// What lies closer to `centre` than `end`, can be deleted, and is seen from it past other such vertices.
+  std::vector<Index> deletable_around(Index centre, Index end) {
+    std::vector<Index> found;
+    seen_.resize(mesh_.mesh().vertices(), 0);
+    const auto look_around = [&](Index from) {
+      mesh_.for_star(from, [&](Index t) {
+        for (const Index v : mesh_.triangles().triangle(t)) {
+          if (mesh_.role(v) != Role::free || seen_[v] != 0) continue;
+          if (mesh_.mesh().kernel().compare_length(mesh_.point(centre), mesh_.point(v), mesh_.point(centre),
+                                                   mesh_.point(end)) != Sign::negative)
+            continue;
+          seen_[v] = 1;
+          found.push_back(v);
+        }
+      });
+    };
+    look_around(centre);
+    for (std::size_t i = 0; i < found.size(); ++i) look_around(found[i]);
+    for (const Index v : found) seen_[v] = 0;
+    return found;
   }
 
   void remove(Index vertex, std::vector<Index>& changed) {
@@ -187,6 +191,7 @@ class Chew {
   SmallAngles small_;
   std::priority_queue<Failed> heap_;
   std::set<Edge> cleared_;  // held edges whose sides were cleared
+  std::vector<char> seen_;  // of each vertex, while deletable_around runs
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "algorithms/refinement/shape.hpp"
 
+#include "algorithms/direction.hpp"
+
 #include <gmpxx.h>
 
 #include <algorithm>
@@ -138,11 +140,11 @@ Point2 circumcentre(const Corners& t) {
 }
 
 std::array<double, 2> extreme_angles(const Corners& t) {
-  if (const int excess = excess_exponent(t)) return extreme_angles(scaled(t, -excess));
   std::array<double, 3> angles{};
   for (std::size_t i = 0; i < 3; ++i) {
     const Point2 p = t[i], q = t[(i + 1) % 3], r = t[(i + 2) % 3];
-    const double ux = q[0] - p[0], uy = q[1] - p[1], vx = r[0] - p[0], vy = r[1] - p[1];
+    const auto [ux, uy] = direction(p, q);
+    const auto [vx, vy] = direction(p, r);
     angles[i] = std::atan2(ux * vy - uy * vx, ux * vx + uy * vy) * 180 / std::numbers::pi;
   }
   const auto [least, most] = std::minmax_element(angles.begin(), angles.end());

@@ -1,5 +1,7 @@
 #include "algorithms/refinement/small_angles.hpp"
 
+#include "algorithms/direction.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,13 +10,6 @@ namespace {
 
 /// The power of two between a third and two thirds of a length.
 double circle_within(double length) { return std::ldexp(1, std::ilogb(length * (2.0 / 3))); }
-
-/// From one point to another, scaled by a power of two to a length between 1 and 3.
-std::array<double, 2> direction(Point2 from, Point2 to) {
-  const double x = to[0] - from[0], y = to[1] - from[1];
-  const int exponent = std::ilogb(std::max(std::fabs(x), std::fabs(y)));
-  return {std::ldexp(x, -exponent), std::ldexp(y, -exponent)};
-}
 
 /// The wedge at `apex` from the direction of `from` counter-clockwise to that of `to`.
 struct Wedge {

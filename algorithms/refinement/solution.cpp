@@ -34,11 +34,39 @@ constrained::GraphMesh background(const Graph& graph, std::span<const Index> ord
   return build_graph_mesh(graph, sites, kernel, Recovery::cavity);
 }
 
+/// Where walks start: at the end of the last one to the same cell of a grid of about as many cells as
+/// vertices, so that it does not matter in which order places are asked for.
+class Starts {
+ public:
+  explicit Starts(const constrained::GraphMesh& mesh)
+      : side_(1 + static_cast<std::size_t>(std::sqrt(static_cast<double>(mesh.point.size())))),
+        triangle_(side_ * side_, 0),
+        low_(mesh.mesh.point(0)),
+        high_(low_) {
+    for (Index v = 1; v < mesh.point.size(); ++v)
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        low_[axis] = std::min(low_[axis], mesh.mesh.point(v)[axis]);
+        high_[axis] = std::max(high_[axis], mesh.mesh.point(v)[axis]);
+      }
+  }
+  Index& at(Point2 p) { return triangle_[cell(p, 0) * side_ + cell(p, 1)]; }
+
+ private:
+  std::size_t cell(Point2 p, std::size_t axis) const {
+    const double share = (p[axis] - low_[axis]) / (high_[axis] - low_[axis]) * static_cast<double>(side_);
+    return share > 0 ? std::min(static_cast<std::size_t>(std::min(share, 0x1p32)), side_ - 1) : 0;
+  }
+
+  std::size_t side_;
+  std::vector<Index> triangle_;
+  Point2 low_, high_;
+};
+
 class LinearField : public Field {
  public:
   LinearField(const Graph& graph, std::span<const Index> order, const Kernel2& kernel,
               std::span<const double> values)
-      : mesh_(background(graph, order, kernel)), places_(mesh_.point.size() + 1) {
+      : mesh_(background(graph, order, kernel)), places_(mesh_.point.size() + 1), starts_(mesh_) {
     for (Index v = 0; v < mesh_.point.size(); ++v) {
       places_[v] = mesh_.mesh.point(v);
       values_.push_back(values[mesh_.point[v]]);
@@ -52,7 +80,10 @@ class LinearField : public Field {
     const PlanarMesh& t = mesh_.mesh.triangles();
     places_.back() = p;
     std::uint64_t steps = 0;
+    Index& start = starts_.at(p);
+    walk_.start_at(start);
     const Index found = walk_.locate(static_cast<Index>(places_.size() - 1), steps);
+    start = found;
     if (t.is_ghost(found)) throw Abandon(Outcome::inconsistent_predicate, "a vertex lies outside the hull");
     double sum = 0, weights = 0;
     for (HalfEdge h = 3 * found; h < 3 * found + 3; ++h) {
@@ -68,6 +99,7 @@ class LinearField : public Field {
   constrained::GraphMesh mesh_;
   std::vector<Point2> places_;  // of the vertices, and of where a value is wanted
   std::vector<double> values_;
+  Starts starts_;
   PlanarProblem problem_{places_, {}, mesh_.mesh.kernel()};
   StochasticWalk walk_{problem_, mesh_.mesh.triangles()};
 };
@@ -103,8 +135,8 @@ double SolutionMeasure::of(const SteinerMesh& mesh, Index t) {
   double largest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Index a = v[i], b = v[(i + 1) % 3];
-    const double dx = mesh.point(a)[0] - mesh.point(b)[0], dy = mesh.point(a)[1] - mesh.point(b)[1];
-    largest = std::max(largest, std::abs(value(mesh, a) - value(mesh, b)) * std::sqrt(dx * dx + dy * dy));
+    largest =
+        std::max(largest, std::abs(value(mesh, a) - value(mesh, b)) * distance(mesh.point(a), mesh.point(b)));
   }
   return largest;
 }
