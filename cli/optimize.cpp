@@ -146,12 +146,12 @@ int optimize(const OptimizeOptions& options, Console& console) {
              {"seconds", result.seconds}};
   for (const auto& [name, value] : result.mesh.counts) stats["counts"][std::string(name)] = value;
 
-  if (!options.stats.empty()) write_text(options.stats, stats.dump(2) + "\n");
-  if (console.json) print_json(console, stats);
   if (!good_mesh) console.log << to_string(result.outcome) << ": " << result.reason << '\n';
   if (good_mesh && !options.output.empty())
     write_mesh(options.output, input.points.points, result.mesh.triangles);
   if (good_mesh) picture.draw(input.points.points, result.mesh.triangles);
+  if (!options.stats.empty()) write_text(options.stats, stats.dump(2) + "\n");
+  if (console.json) print_json(console, stats);
   if (!console.json) print_summary(options, stats, console);
   return good_mesh ? good : judged_bad;
 }

@@ -179,12 +179,12 @@ int refine(const RefineOptions& options, Console& console) {
     throw BadInput(options.boundary + ": " + options.backend + ": " + report.reason);
 
   const json stats = stats_json(options, settings, input, run);
-  if (!options.stats.empty()) write_text(options.stats, stats.dump(2) + "\n");
-  if (console.json) print_json(console, stats);
   if (report.outcome == Outcome::ok)
     write_outputs(options, input, run.refined);
   else
     console.log << to_string(report.outcome) << ": " << report.reason << '\n';
+  if (!options.stats.empty()) write_text(options.stats, stats.dump(2) + "\n");
+  if (console.json) print_json(console, stats);
   const bool piped = options.output == "-" || options.stats == "-";
   if (!console.json) print_summary({.out = piped ? console.log : console.out, .log = console.log}, stats);
   return report.outcome == Outcome::ok ? good : judged_bad;

@@ -267,13 +267,12 @@ int triangulate(const TriangulateOptions& options, Console& console) {
   const json stats = stats_json(options, method, input, run);
 
   report_duplicates(input.points(), result, options, console);
+  if (result.outcome == Outcome::ok) write_outputs(options, input, run, picture);
   if (!options.stats.empty()) write_text(options.stats, stats.dump(2) + "\n");
   if (console.json) print_json(console, stats);
   if (result.outcome == Outcome::out_of_domain || result.outcome == Outcome::refused_input)
     throw BadInput(result.reason);
-  if (result.outcome == Outcome::ok)
-    write_outputs(options, input, run, picture);
-  else
+  if (result.outcome != Outcome::ok)
     console.log << to_string(result.outcome) << ": " << result.reason << '\n';
   const bool piped = options.mesh == "-" || options.stats == "-";
   if (!console.json) print_summary({.out = piped ? console.log : console.out, .log = console.log}, stats);

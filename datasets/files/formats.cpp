@@ -2,6 +2,7 @@
 #include "datasets/files/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 namespace tribunal {
@@ -81,9 +82,10 @@ std::vector<std::filesystem::path> mesh_files(const std::filesystem::path& path)
 void write_mesh(const std::filesystem::path& path, std::span<const Point2> points,
                 std::span<const std::array<std::uint32_t, 3>> triangles) {
   const Format& format = mesh_format(path);
-  if (format.points_beside != nullptr)
-    write_text(mesh_files(path)[1], format.points_beside->write_points(points));
-  write_text(path, format.write_mesh(points, triangles));
+  const std::string mesh = format.write_mesh(points, triangles);
+  if (format.points_beside == nullptr) return write_text(path, mesh);
+  const std::string beside = format.points_beside->write_points(points);
+  write_texts(std::array{TextFile{mesh_files(path)[1], beside}, TextFile{path, mesh}});
 }
 
 std::span<const FormatAbout> formats() {

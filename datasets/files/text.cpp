@@ -8,6 +8,8 @@
 #include <memory>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 namespace tribunal {
 namespace fs = std::filesystem;
@@ -49,19 +51,45 @@ void write_directly(const fs::path& path, std::string_view text) {
   if (const int error = write_all(file.get(), text)) refuse(path, "write", error);
 }
 
-void write_and_rename(const fs::path& path, std::string_view text) {
-  const fs::path target = fs::is_symlink(path) ? fs::weakly_canonical(path) : path;
-  fs::path temporary = target;
-  temporary += ".part";
-  temporary += std::to_string(::getpid());
-  File file(std::fopen(temporary.c_str(), "wb"));
-  if (!file) refuse(path, "write", errno);
-  int error = write_all(file.get(), text);
-  file.reset();
-  if (error == 0 && std::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
-  if (error == 0) return;
-  std::remove(temporary.c_str());
-  refuse(path, "write", error);
+/// A complete file beside the one that it is to replace; removed unless it does.
+class Temporary {
+ public:
+  Temporary(const fs::path& path, std::string_view text)
+      : path_(path), target_(fs::is_symlink(path) ? fs::weakly_canonical(path) : path), name_(target_) {
+    name_ += ".part";
+    name_ += std::to_string(::getpid());
+    File file(std::fopen(name_.c_str(), "wb"));
+    if (!file) refuse(path_, "write", errno);
+    const int error = write_all(file.get(), text);
+    file.reset();
+    if (error == 0) return;
+    std::remove(name_.c_str());
+    refuse(path_, "write", error);
+  }
+  Temporary(Temporary&& other) noexcept
+      : path_(std::move(other.path_)),
+        target_(std::move(other.target_)),
+        name_(std::exchange(other.name_, {})) {}
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+  Temporary& operator=(Temporary&&) = delete;
+  ~Temporary() {
+    if (!name_.empty()) std::remove(name_.c_str());
+  }
+
+  void replace_target() {
+    if (std::rename(name_.c_str(), target_.c_str()) != 0) refuse(path_, "write", errno);
+    name_.clear();
+  }
+
+ private:
+  fs::path path_, target_, name_;
+};
+
+bool is_special(const fs::path& path) {
+  std::error_code ignored;
+  const auto status = fs::status(path, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status);
 }
 
 }  // namespace
@@ -76,15 +104,23 @@ std::string read_text(const fs::path& path) {
 }
 
 void write_text(const fs::path& path, std::string_view text) {
-  std::error_code ignored;
-  if (path == "-") {
-    if (const int error = write_all(stdout, text)) refuse("stdout", "write", error);
-  } else if (const auto status = fs::status(path, ignored);
-             fs::exists(status) && !fs::is_regular_file(status)) {
-    write_directly(path, text);
-  } else {
-    write_and_rename(path, text);
+  const TextFile file{path, text};
+  write_texts({&file, 1});
+}
+
+void write_texts(std::span<const TextFile> files) {
+  std::vector<Temporary> temporaries;
+  temporaries.reserve(files.size());
+  for (const auto& [path, text] : files)
+    if (path != "-" && !is_special(path)) temporaries.emplace_back(path, text);
+  for (const auto& [path, text] : files) {
+    if (path == "-") {
+      if (const int error = write_all(stdout, text)) refuse("stdout", "write", error);
+    } else if (is_special(path)) {
+      write_directly(path, text);
+    }
   }
+  for (Temporary& temporary : temporaries) temporary.replace_target();
 }
 
 }  // namespace tribunal

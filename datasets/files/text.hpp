@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,5 +18,12 @@ std::string read_text(const std::filesystem::path& path);
 /// that a failure leaves the old content. "-" is standard output; what is no regular file (a device, a pipe)
 /// is written directly. Throws BadInput with the system's reason.
 void write_text(const std::filesystem::path& path, std::string_view text);
+
+/// Several files that belong together: all are complete before the first one is renamed.
+struct TextFile {
+  std::filesystem::path path;
+  std::string_view text;
+};
+void write_texts(std::span<const TextFile> files);
 
 }  // namespace tribunal
