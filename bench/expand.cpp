@@ -5,6 +5,7 @@
 #include "bench/plan.hpp"
 #include "bench/toml_reader.hpp"
 #include "datasets/dataset.hpp"
+#include "datasets/external/external.hpp"
 #include "predicates/backends/list.hpp"
 
 #include <algorithm>
@@ -69,10 +70,14 @@ Known all_backends() {
   return known;
 }
 
+/// "*" is the same everywhere: what is read from the user's system is named or left out.
 Known all_datasets() {
   std::vector<std::string> names;
   for (const Dataset& dataset : datasets()) names.emplace_back(dataset.about.name);
-  return all_of(std::move(names));
+  Known known = all_of(std::move(names));
+  for (const ExternalDataset& external : external_datasets())
+    known.names.emplace_back(external.dataset.about.name);
+  return known;
 }
 
 Known all_orders() { return all_of({order_names().begin(), order_names().end()}); }
@@ -170,7 +175,12 @@ class Block {
   }
 
   void read_datasets() {
-    if (find("dataset") != nullptr) datasets_ = names("dataset", all_datasets());
+    const toml::node* node = find("dataset");
+    if (node == nullptr) return;
+    datasets_ = names("dataset", all_datasets());
+    for (const std::string& name : datasets_)
+      if (const std::string missing = missing_for(name); !missing.empty())
+        reader_.fail(*node, name + ": " + missing);
   }
 
   bool needs_n(const Reads& reads) const {

@@ -5,6 +5,7 @@
 #include "cli/peers.hpp"
 #include "cli/verbs.hpp"
 #include "datasets/dataset.hpp"
+#include "datasets/external/external.hpp"
 #include "datasets/files/files.hpp"
 #include "predicates/backends/list.hpp"
 #include "predicates/plugin/library.hpp"
@@ -54,16 +55,30 @@ json list_backends() {
   return all;
 }
 
+json dataset_json(const Dataset& dataset, const std::string& missing) {
+  const auto& [about, generate, graph] = dataset;
+  return {{"name", about.name},       {"points", about.fixed_size ? json(about.fixed_size) : json("n")},
+          {"integer", about.integer}, {"segments", graph != nullptr},
+          {"cites", about.cites},     {"summary", about.summary},
+          {"missing", missing}};
+}
+
 json list_datasets() {
   json all = json::array();
-  for (const auto& [about, generate, graph] : datasets())
-    all.push_back({{"name", about.name},
-                   {"points", about.fixed_size ? json(about.fixed_size) : json("n")},
-                   {"integer", about.integer},
-                   {"segments", graph != nullptr},
-                   {"cites", about.cites},
-                   {"summary", about.summary}});
+  for (const Dataset& dataset : datasets()) all.push_back(dataset_json(dataset, ""));
+  for (const auto& [dataset, missing] : external_datasets()) all.push_back(dataset_json(dataset, missing()));
   return all;
+}
+
+/// Which datasets are no part of "*", and which of those cannot be read here.
+std::string note_on_external_datasets() {
+  std::string names, absent;
+  for (const auto& [dataset, missing] : external_datasets()) {
+    const std::string name(dataset.about.name);
+    names += (names.empty() ? "" : ", ") + name;
+    if (const std::string reason = missing(); !reason.empty()) absent += name + ": " + reason + '\n';
+  }
+  return "\n" + names + " are read from files of this system; \"*\" leaves them out.\n" + absent;
 }
 
 json list_claims() {
@@ -140,7 +155,7 @@ int list(const ListOptions& options, Console& console) {
     const char* what;
     json (*entries)();
     std::vector<std::string> columns;
-    const char* note = "";  ///< below the table
+    std::string note = "";  ///< below the table
   };
   const Listing listings[] = {
       {"algorithms", list_algorithms, {"name", "dimension", "cites", "summary"}},
@@ -148,7 +163,7 @@ int list(const ListOptions& options, Console& console) {
        list_backends,
        {"name", "exact", "domain", "summary"},
        "\nEach exact one is also there as NAME+sos, which breaks in-sphere ties.\n"},
-      {"datasets", list_datasets, {"name", "points", "summary"}},
+      {"datasets", list_datasets, {"name", "points", "summary"}, note_on_external_datasets()},
       {"claims", list_claims, {"id", "expected", "source", "statement"}},
       {"formats", list_formats, {"name", "holds", "summary"}},
       {"peers", list_peers, {"name", "cites", "summary", "file"}},

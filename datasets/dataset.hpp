@@ -36,10 +36,11 @@ struct Dataset {
   DatasetGraph (*graph)(std::uint64_t n, std::uint64_t seed) = nullptr;
 };
 
-/// All datasets, in the order in which they are listed to users.
+/// All datasets that come with the program, in the order in which they are listed to users.
 std::span<const Dataset> datasets();
 
-/// The dataset of that name, or null.
+/// The dataset of that name, or null; those of datasets/external/ are found, too, whether their files are
+/// there or not.
 const Dataset* find_dataset(std::string_view name);
 
 /// Rounds to the integer lattice [0, 2^bits)^2 by one scale and one shift for both axes, so that the longer

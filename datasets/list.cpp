@@ -1,3 +1,4 @@
+#include "datasets/external/external.hpp"
 #include "datasets/generators/generators.hpp"
 
 #include <algorithm>
@@ -18,7 +19,10 @@ const Dataset* find_dataset(std::string_view name) {
   const auto all = datasets();
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Dataset& d) { return d.about.name == name; });
-  return found == all.end() ? nullptr : &*found;
+  if (found != all.end()) return &*found;
+  for (const ExternalDataset& external : external_datasets())
+    if (external.dataset.about.name == name) return &external.dataset;
+  return nullptr;
 }
 
 }  // namespace tribunal

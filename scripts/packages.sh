@@ -9,6 +9,8 @@ core_packages=(
   libcgal-dev
 )
 test_packages=(libgtest-dev libboost-dev)
+# Not installed by any script: libnetcdf-dev and gmt-gshhg-{low,high,full}, for the datasets that docs/datasets.md says are read
+# from the user's system.
 full_packages=(clang-14 clang-tidy-14 clang-format-14 libclang-rt-14-dev)
 
 # install_packages PACKAGE...: installs what is missing, says so, and fails with what to type when it may not.
