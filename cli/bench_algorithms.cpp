@@ -23,7 +23,8 @@ std::vector<bench::Contestant> peers_at(bench::RaceKind kind, Console& console) 
   for (const auto& [name, module] : built_peers())
     if (auto peer = bench::peer_contestant(module.string(), kind)) peers.push_back(std::move(*peer));
   if (peers.empty())
-    console.log << "no peers for a " << to_string(kind) << ": none was built beside the program\n";
+    console.log << "no peers for races of kind " << to_string(kind)
+                << ": none was built beside the program\n";
   return peers;
 }
 
