@@ -36,15 +36,21 @@ bool path_is_whole(const Triangulation& t, std::uint64_t sites) {
 
 }  // namespace
 
+Judgement judgement_of(const verify::Verdict& verdict) {
+  Judgement judgement{outcome_of(verdict.faults), {}, verdict.ties};
+  if (verdict.valid()) return judgement;
+  const Fault& first = verdict.faults.front();
+  judgement.reason = std::string(verify::to_string(first.kind)) + ": " + first.detail;
+  return judgement;
+}
+
 Judgement judge(std::span<const Point2> points, const Triangulation& triangulation, Promise promise) {
   const auto kind = promise == Promise::delaunay ? verify::Kind::delaunay : verify::Kind::triangulation;
   const verify::Verdict verdict =
       verify::verify_planar(points, {.triangles = triangulation.triangles}, {.kind = kind});
-  Judgement judgement{outcome_of(verdict.faults), {}, verdict.ties};
-  if (!verdict.valid()) {
-    const Fault& first = verdict.faults.front();
-    judgement.reason = std::string(verify::to_string(first.kind)) + ": " + first.detail;
-  } else if (triangulation.dimension != verdict.dimension || !path_is_whole(triangulation, verdict.sites)) {
+  Judgement judgement = judgement_of(verdict);
+  if (verdict.valid() &&
+      (triangulation.dimension != verdict.dimension || !path_is_whole(triangulation, verdict.sites))) {
     judgement.outcome = Outcome::invalid_topology;
     judgement.reason = "dimension " + std::to_string(triangulation.dimension) +
                        " reported, the points have " + std::to_string(verdict.dimension);

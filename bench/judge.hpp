@@ -17,9 +17,11 @@ struct Judgement {
   std::uint64_t ties = 0;  ///< cocircular quadruples across interior edges
 };
 
-/// Checks a finished triangulation for what its algorithm promises. A site left out explains a wrong count
-/// and a wrong hull, so `missing_site` is the outcome where nothing else is wrong with the topology;
-/// `non_delaunay` is said of valid triangulations only.
+/// A site left out explains a wrong count and a wrong hull, so `missing_site` is the outcome where nothing
+/// else is wrong with the topology; `non_delaunay` is said of valid triangulations only.
+Judgement judgement_of(const verify::Verdict& verdict);
+
+/// Checks a finished triangulation for what its algorithm promises.
 Judgement judge(std::span<const Point2> points, const Triangulation& triangulation,
                 Promise promise = Promise::delaunay);
 

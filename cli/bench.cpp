@@ -54,19 +54,20 @@ std::vector<bench::Subject> chosen_subjects(const std::vector<std::string>& name
   return chosen;
 }
 
-/// The modules of peers, under printable names that nobody else has.
+/// The modules of peers with predicates, under printable names that nobody else has.
 void add_peers(bench::PredicateBenchOptions& plan, Console& console) {
   const auto peers = built_peers();
   if (peers.empty()) console.log << "no peers: none was built beside the program\n";
   for (const auto& [name, module] : peers) {
     const bench::SoundEnvironment environment;
-    bench::Subject peer = bench::plugin_subject(module.string());
+    std::optional<bench::Subject> peer = bench::plugin_subject(module.string());
     const std::string fault = environment.restore();
-    peer.name = bench::printable(peer.name);
-    if (std::ranges::find(plan.subjects, peer.name, &bench::Subject::name) != plan.subjects.end())
-      peer.name += " (" + std::string(name) + ")";
-    if (!fault.empty()) plan.faults[peer.name] = fault + " after it was loaded";
-    plan.subjects.push_back(std::move(peer));
+    if (!peer) continue;
+    peer->name = bench::printable(peer->name);
+    if (std::ranges::find(plan.subjects, peer->name, &bench::Subject::name) != plan.subjects.end())
+      peer->name += " (" + std::string(name) + ")";
+    if (!fault.empty()) plan.faults[peer->name] = fault + " after it was loaded";
+    plan.subjects.push_back(std::move(*peer));
   }
 }
 

@@ -105,9 +105,11 @@ json list_peers() {
     json peer{{"name", name}, {"file", file.string()}, {"offers", json::array()}, {"cites", ""}};
     try {
       const bench::PluginAbout about = bench::probe_plugin(file.string(), {.seconds = 10});
-      const bench::OfferAbout& offer = about.predicates ? *about.predicates : *about.triangulator;
+      const bench::OfferAbout& offer = about.first();
       for (const Predicate predicate : about.offered) peer["offers"].push_back(to_string(predicate));
       if (about.triangulator) peer["offers"].push_back("delaunay");
+      if (about.triangulates_graphs) peer["offers"].push_back("constrained");
+      if (about.refines) peer["offers"].push_back("refinement");
       peer["cites"] = offer.cites;
       peer["summary"] = offer.summary;
     } catch (const PluginError& error) {

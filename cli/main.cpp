@@ -231,6 +231,9 @@ class CommandLine {
     verb->add_option("--seed", o.seed, "seed of the queries")
         ->check(check_whole_number)
         ->capture_default_str();
+    verb->add_option("--seconds", o.seconds, "that a process of an algorithm, one lap or two, may take")
+        ->capture_default_str()
+        ->check(CLI::Range(0.001, 1e6));
     verb->add_flag("--peers", o.peers, "with the rival libraries whose modules were built");
   }
   void add_try() {

@@ -135,7 +135,9 @@ int try_outsider(const TryOptions& options, Console& console) {
     TrialReport report;
     if (options.command.empty()) {
       const PluginAbout about = probe_plugin(options.plugin, {.seconds = options.seconds});
-      const OfferAbout& offer = about.predicates ? *about.predicates : *about.triangulator;
+      const OfferAbout& offer = about.first();
+      if (!about.predicates && !about.triangulator)
+        throw BadUsage(options.plugin + ": offers a mesher alone, which is raced and not tried");
       report = {.name = offer.name,
                 .cites = offer.cites,
                 .summary = offer.summary,

@@ -86,6 +86,7 @@ struct BenchOptions {
   std::uint64_t n = 0;                                              ///< of algorithms; 0: as the goals say
   std::uint64_t seed = 1;
   std::optional<int> repetitions;  ///< none: 21 for predicates, 7 for algorithms
+  double seconds = 300;            ///< that a process of one lap, or two, of algorithms may take
   bool peers = false;
 };
 int bench(const BenchOptions& options, Console& console);

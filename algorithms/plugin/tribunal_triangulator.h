@@ -6,7 +6,7 @@
  *     const tribunal_triangulator* tribunal_triangulator_entry(void);
  *
  * which returns a structure that lives as long as the library. A library may also define
- * tribunal_predicates_entry (tribunal_predicates.h).
+ * tribunal_predicates_entry (tribunal_predicates.h) and tribunal_mesher_entry (tribunal_mesher.h).
  *
  * Asked for is a Delaunay triangulation of the convex hull: every position is a corner of a triangle, and no
  * triangle has a position strictly inside its circle. Of cocircular points any triangulation will do. Points
@@ -18,23 +18,26 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* One number for both headers; it changes when any declaration in either does. */
+/* One number for all headers of plug-ins; it changes when any declaration in one of them does. */
 #ifndef TRIBUNAL_PLUGIN_VERSION
 #define TRIBUNAL_PLUGIN_VERSION 1
 #elif TRIBUNAL_PLUGIN_VERSION != 1
-#error "tribunal_predicates.h and tribunal_triangulator.h are of different versions"
+#error "the headers of plug-ins are of different versions"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+#ifndef TRIBUNAL_ENDINGS
+#define TRIBUNAL_ENDINGS
 /* How a triangulation ended. */
 enum {
   TRIBUNAL_DONE = 0,    /* all triangles were given */
   TRIBUNAL_REFUSED = 1, /* the points are outside the library's domain; triangles given are ignored */
   TRIBUNAL_FAILED = 2   /* the library gave up; so does any other number say */
 };
+#endif
 
 /* Takes one triangle: indices of its corners, in either orientation. `sink` is what triangulate was given. */
 typedef void (*tribunal_emit)(void* sink, uint32_t a, uint32_t b, uint32_t c);

@@ -40,13 +40,13 @@ SignLoopBinding bind(const PredicatePlugin& plugin, const QuerySet& queries) {
 
 }  // namespace
 
-Subject plugin_subject(const std::string& module_path) {
-  const SharedLibrary library(module_path);
-  const auto plugin = PredicatePlugin::load(library);
-  if (!plugin) library.refuse("defines no tribunal_predicates_entry");
-  return {plugin->name(), false, [plugin = *plugin](const QuerySet& queries) {
-            return dimension_of(queries.predicate) == 2 ? bind<2>(plugin, queries) : bind<3>(plugin, queries);
-          }};
+std::optional<Subject> plugin_subject(const std::string& module_path) {
+  const auto plugin = PredicatePlugin::load(SharedLibrary(module_path));
+  if (!plugin) return std::nullopt;
+  return Subject{plugin->name(), false, [plugin = *plugin](const QuerySet& queries) {
+                   return dimension_of(queries.predicate) == 2 ? bind<2>(plugin, queries)
+                                                               : bind<3>(plugin, queries);
+                 }};
 }
 
 }  // namespace tribunal::bench

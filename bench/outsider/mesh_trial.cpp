@@ -1,7 +1,7 @@
 #include "bench/outsider/mesh_trial.hpp"
 
 #include "algorithms/verify/verify.hpp"
-#include "bench/outsider/normalise.hpp"
+#include "bench/normalise.hpp"
 #include "bench/outsider/replay.hpp"
 #include "bench/outsider/watched.hpp"
 #include "datasets/files/files.hpp"

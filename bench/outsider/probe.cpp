@@ -1,6 +1,7 @@
 #include "bench/outsider/probe.hpp"
 
 #include "algorithms/plugin/loader.hpp"
+#include "algorithms/plugin/mesher_loader.hpp"
 #include "bench/outsider/printable.hpp"
 #include "predicates/plugin/loader.hpp"
 
@@ -26,7 +27,8 @@ std::optional<OfferAbout> read_about(const json& value) {
 /// In the child.
 std::string look(const std::string& path) {
   const SharedLibrary library(path);
-  json seen{{"predicates", nullptr}, {"triangulator", nullptr}, {"offered", json::array()}};
+  json seen{{"predicates", nullptr}, {"triangulator", nullptr}, {"mesher", nullptr},
+            {"graphs", false},       {"refines", false},        {"offered", json::array()}};
   if (const auto predicates = PredicatePlugin::load(library)) {
     seen["predicates"] = about(*predicates);
     for (const Predicate predicate : all_predicates)
@@ -34,6 +36,11 @@ std::string look(const std::string& path) {
   }
   if (const auto triangulator = TriangulatorPlugin::load(library))
     seen["triangulator"] = about(*triangulator);
+  if (const auto mesher = MesherPlugin::load(library)) {
+    seen["mesher"] = about(*mesher);
+    seen["graphs"] = mesher->triangulates();
+    seen["refines"] = mesher->refines();
+  }
   return seen.dump();
 }
 
@@ -47,10 +54,17 @@ PluginAbout probe_plugin(const std::string& path, const Limits& limits) {
     throw PluginError(path + ": fails when it is loaded: " + ending.reason);
   }
   const json seen = json::parse(ending.result);
-  PluginAbout plugin{read_about(seen["predicates"]), read_about(seen["triangulator"]), {}};
+  PluginAbout plugin{.predicates = read_about(seen["predicates"]),
+                     .triangulator = read_about(seen["triangulator"]),
+                     .mesher = read_about(seen["mesher"]),
+                     .offered = {},
+                     .triangulates_graphs = seen["graphs"],
+                     .refines = seen["refines"]};
   for (const int predicate : seen["offered"]) plugin.offered.push_back(static_cast<Predicate>(predicate));
-  if (!plugin.predicates && !plugin.triangulator)
-    throw PluginError(path + ": defines neither tribunal_predicates_entry nor tribunal_triangulator_entry");
+  if (!plugin.predicates && !plugin.triangulator && !plugin.mesher)
+    throw PluginError(path +
+                      ": defines none of tribunal_predicates_entry, tribunal_triangulator_entry and "
+                      "tribunal_mesher_entry");
   return plugin;
 }
 

@@ -16,8 +16,13 @@ struct OfferAbout {
 };
 
 struct PluginAbout {
-  std::optional<OfferAbout> predicates, triangulator;  ///< at least one
+  std::optional<OfferAbout> predicates, triangulator, mesher;  ///< at least one
   std::vector<Predicate> offered;
+  bool triangulates_graphs = false, refines = false;  ///< what the mesher does
+
+  const OfferAbout& first() const {
+    return predicates ? *predicates : triangulator ? *triangulator : *mesher;
+  }
 };
 
 /// Loads the library in a child and reads what it offers. Throws PluginError, one line that names the file,

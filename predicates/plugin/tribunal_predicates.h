@@ -34,11 +34,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* One number for both headers; it changes when any declaration in either does. */
+/* One number for all headers of plug-ins; it changes when any declaration in one of them does. */
 #ifndef TRIBUNAL_PLUGIN_VERSION
 #define TRIBUNAL_PLUGIN_VERSION 1
 #elif TRIBUNAL_PLUGIN_VERSION != 1
-#error "tribunal_predicates.h and tribunal_triangulator.h are of different versions"
+#error "the headers of plug-ins are of different versions"
 #endif
 
 #ifdef __cplusplus

@@ -2,13 +2,20 @@
 #include "bench/whole/race.hpp"
 
 #include "algorithms/list.hpp"
+#include "algorithms/refinement/refiners.hpp"
 #include "bench/whole/goals.hpp"
 #include "predicates/backends/list.hpp"
+#include "tests/bench/support.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
 #include <set>
+#include <stdexcept>
+#include <thread>
 
 namespace tribunal::bench {
 namespace {
@@ -24,12 +31,29 @@ RaceOptions options_of(std::vector<Contestant> contestants, const char* dataset 
   return options;
 }
 
-/// One that runs `green_sibson`, tells `calls` its name, and does `mischief` to the result.
-Contestant stranger(const std::string& name, std::vector<std::string>& calls, void (*mischief)(Lap&)) {
-  const Contestant honest = contestant_of(green_sibson, 1);
-  return {name, Promise::delaunay, [=, &calls](std::span<const Point2> points) {
-            calls.push_back(name);
-            Lap lap = honest.run(points);
+/// A file that contestants, each in a process of its own, write into.
+class Diary {
+ public:
+  void write(const std::string& name) const {
+    std::ofstream(folder_ / "diary", std::ios::app) << name << ' ';
+  }
+  std::string text() const {
+    std::ifstream file(folder_ / "diary");
+    std::string text;
+    std::getline(file, text);
+    return text;
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+/// One that runs `green_sibson`, writes its name down, and does `mischief` to the result.
+Contestant stranger(const std::string& name, const Diary& diary, std::function<void(Lap&)> mischief) {
+  const Contestant honest = contestant_of(green_sibson, RaceKind::triangulation, 1);
+  return {name, Promise::delaunay, [=, &diary](const Ground& ground) {
+            diary.write(name);
+            Lap lap = honest.run(ground);
             mischief(lap);
             return lap;
           }};
@@ -41,46 +65,84 @@ TEST(Race, EveryVariantFinishes) {
     Method method = green_sibson;
     method.settings = {{"location", location}};
     method.order = Order::brio;
-    contestants.push_back(contestant_of(method, 7));
+    contestants.push_back(contestant_of(method, RaceKind::triangulation, 7));
   }
   for (const Standing& standing : race(options_of(contestants))) {
-    EXPECT_EQ(standing.outcome, Outcome::ok) << standing.reason;
+    EXPECT_EQ(standing.ruling.outcome, Outcome::ok) << standing.ruling.reason;
     EXPECT_EQ(standing.seconds.size(), 3u);
-    EXPECT_EQ(standing.course.n, 100u);
+    EXPECT_EQ(standing.n, 100u);
+    EXPECT_EQ(standing.vertices, 100u);
+    EXPECT_GT(standing.triangles, 100u);
   }
 }
 
 TEST(Race, AWrongMeshHasNoTime) {
-  std::vector<std::string> calls;
+  const Diary diary;
   const auto standings = race(options_of({
-      stranger("honest", calls, [](Lap&) {}),
-      stranger("gap", calls, [](Lap& lap) { lap.triangles.pop_back(); }),
-      stranger("empty", calls, [](Lap& lap) { lap.triangles.clear(); }),
-      stranger("lost", calls, [](Lap& lap) { lap.outcome = Outcome::loop, lap.reason = "lost"; }),
+      stranger("honest", diary, [](Lap&) {}),
+      stranger("gap", diary, [](Lap& lap) { lap.triangles.pop_back(); }),
+      stranger("empty", diary, [](Lap& lap) { lap.triangles.clear(); }),
+      stranger("lost", diary, [](Lap& lap) { lap.outcome = Outcome::loop, lap.reason = "lost"; }),
   }));
   EXPECT_EQ(standings[0].seconds.size(), 3u);
-  EXPECT_EQ(standings[1].outcome, Outcome::invalid_topology);
-  EXPECT_EQ(standings[2].outcome, Outcome::refused_input);
-  EXPECT_EQ(standings[3].outcome, Outcome::loop);
-  EXPECT_EQ(standings[3].reason, "lost");
+  EXPECT_EQ(standings[1].ruling.outcome, Outcome::invalid_topology);
+  EXPECT_EQ(standings[2].ruling.outcome, Outcome::refused_input);
+  EXPECT_EQ(standings[3].ruling.outcome, Outcome::loop);
+  EXPECT_EQ(standings[3].ruling.reason, "lost");
   for (std::size_t i = 1; i < 4; ++i) {
     EXPECT_TRUE(standings[i].seconds.empty());
-    EXPECT_FALSE(standings[i].reason.empty());
+    EXPECT_FALSE(standings[i].ruling.reason.empty());
     EXPECT_FALSE(ratio_of(standings[0], standings[i]));
   }
 }
 
 TEST(Race, RoundsAlternate) {
-  std::vector<std::string> calls;
-  race(options_of({stranger("a", calls, [](Lap&) {}), stranger("b", calls, [](Lap&) {})}));
-  const std::vector<std::string> expected{"a", "b", "a", "b", "b", "a", "a", "b"};
-  EXPECT_EQ(calls, expected);
+  const Diary diary;
+  race(options_of({stranger("a", diary, [](Lap&) {}), stranger("b", diary, [](Lap&) {})}));
+  EXPECT_EQ(diary.text(), "a b a a b b b b a a a a b b ") << "checked, then to warm up and timed";
+}
+
+TEST(Race, WhatAContestantDoesIsAnOutcomeOfItsOwn) {
+  const Diary diary;
+  RaceOptions options = options_of({
+      stranger("honest", diary, [](Lap&) {}),
+      stranger("crashes", diary, [](Lap&) { std::abort(); }),
+      stranger("hangs", diary, [](Lap&) { std::this_thread::sleep_for(std::chrono::hours(1)); }),
+      stranger("throws", diary, [](Lap&) { throw std::runtime_error("no more"); }),
+  });
+  options.limits.seconds = 2;
+  const auto standings = race(options);
+  EXPECT_EQ(standings[0].seconds.size(), 3u);
+  EXPECT_EQ(standings[1].ruling.outcome, Outcome::crash);
+  EXPECT_EQ(standings[2].ruling.outcome, Outcome::timeout);
+  EXPECT_EQ(standings[3].ruling.reason, "exception: no more");
+}
+
+TEST(Race, WhoFailsInARoundIsOut) {
+  const Diary diary;
+  std::size_t done = 0, total = 0;
+  RaceOptions options = options_of({
+      stranger("a", diary, [](Lap&) {}),
+      stranger("b", diary,
+               [&diary](Lap& lap) {
+                 if (diary.text().size() > std::string("a b a a b b b ").size())
+                   lap.outcome = Outcome::loop, lap.reason = "tired";
+               }),
+  });
+  options.progress = [&](const Progress& progress) { done = progress.done, total = progress.total; };
+  const auto standings = race(options);
+  EXPECT_EQ(standings[0].seconds.size(), 3u);
+  EXPECT_EQ(standings[1].ruling.outcome, Outcome::loop);
+  EXPECT_EQ(standings[1].ruling.reason, "tired");
+  EXPECT_TRUE(standings[1].seconds.empty());
+  EXPECT_EQ(done, total);
 }
 
 TEST(Race, RepeatedPointsRunOnce) {
-  const auto standings = race(options_of({contestant_of(green_sibson, 1)}, "duplicates", 100));
-  EXPECT_EQ(standings[0].outcome, Outcome::ok) << standings[0].reason;
-  EXPECT_LT(standings[0].course.n, 100u);
+  const auto standings =
+      race(options_of({contestant_of(green_sibson, RaceKind::triangulation, 1)}, "duplicates", 100));
+  EXPECT_EQ(standings[0].ruling.outcome, Outcome::ok) << standings[0].ruling.reason;
+  EXPECT_LT(standings[0].n, 100u);
 }
 
 TEST(Race, RatiosAreOfOneRound) {
@@ -101,14 +163,21 @@ TEST(Race, GoalsNameWhatThereIs) {
     if (goal.rival_method) methods.push_back(*goal.rival_method);
     for (const Method& method : methods) {
       const PlanarAlgorithm* algorithm = find_planar_algorithm(method.algorithm);
-      ASSERT_NE(algorithm, nullptr) << method.algorithm;
-      EXPECT_EQ(refuse_settings(method.algorithm, algorithm->parameters, method.settings), "");
-      EXPECT_EQ(without_defaults(algorithm->parameters, method.settings), method.settings);
+      const refinement::Refiner* refiner = refinement::find_refiner(method.algorithm);
+      ASSERT_TRUE(algorithm || refiner) << method.algorithm;
+      const auto parameters = algorithm ? algorithm->parameters : refiner->parameters;
+      EXPECT_EQ(refuse_settings(method.algorithm, parameters, method.settings), "");
+      EXPECT_EQ(without_defaults(parameters, method.settings), method.settings);
       EXPECT_NE(find_backend(method.backend), nullptr);
     }
-    EXPECT_NE(find_dataset(goal.course.dataset), nullptr);
+    const Dataset* dataset = find_dataset(goal.course.dataset);
+    ASSERT_NE(dataset, nullptr);
+    EXPECT_EQ(course_of(goal.subject, *dataset, goal.course.n), goal.course) << describe(goal.subject);
     EXPECT_FALSE(goal.rival_name().empty());
-    EXPECT_TRUE(names.insert(describe(goal.subject) + goal.rival_name() + goal.course.dataset).second);
+    EXPECT_TRUE(names
+                    .insert(describe(goal.subject) + goal.rival_name() + goal.course.dataset +
+                            std::string(to_string(goal.figure)))
+                    .second);
   }
 }
 

@@ -80,6 +80,33 @@ TEST(Bench, AlgorithmsRaceInAllTheVariantsNamed) {
   EXPECT_TRUE(document.at("ratios").empty()) << "there is no rival";
 }
 
+TEST(Bench, SegmentsAndDomainsAreRacedByWhatTakesThem) {
+  const Ended ended =
+      tribunal({"bench", "algorithms", "--dataset", "gulf", "--algorithm", "constrained", "--algorithm",
+                "chew", "--algorithm", "bowyer", "--repetitions", "2", "--json"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const auto times = ended.json().at("times");
+  ASSERT_EQ(times.size(), 3U);
+  const std::vector<std::string> kinds{"graph", "refinement", "triangulation"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(times[i].at("kind"), kinds[i]);
+    EXPECT_EQ(times[i].at("outcome"), "ok");
+    EXPECT_EQ(times[i].at("n"), 820);
+    EXPECT_GT(times[i].at("triangles"), 800);
+  }
+  EXPECT_GT(times[1].at("vertices"), 820);
+  EXPECT_NEAR(times[1].at("angle").get<double>(), 30, 1e-9);
+}
+
+TEST(Bench, WhatDoesNotEndInTimeHasNoTime) {
+  const Ended ended = tribunal({"bench", "algorithms", "--dataset", "slot", "--algorithm", "chew", "--set",
+                                "vertices=400000000", "--repetitions", "1", "--seconds", "1", "--json"});
+  EXPECT_EQ(ended.status, 1);
+  const auto time = ended.json().at("times").at(0);
+  EXPECT_EQ(time.at("outcome"), "timeout");
+  EXPECT_FALSE(time.contains("seconds"));
+}
+
 TEST(Bench, AWrongMeshHasNoTimeAndFails) {
   const Ended ended = tribunal({"bench", "algorithms", "--dataset", "near-circle", "-n", "400", "--backend",
                                 "float", "--repetitions", "1", "--json"});
@@ -102,6 +129,9 @@ TEST(Bench, MistakesAreToldInOneLineWithStatusTwo) {
                                              {"bench", "algorithms", "--set", "location=taxi"},
                                              {"bench", "algorithms", "--backend", "abacus"},
                                              {"bench", "algorithms", "-n", "0"},
+                                             {"bench", "algorithms", "--seconds", "0"},
+                                             {"bench", "algorithms", "--algorithm", "chew"},
+                                             {"bench", "algorithms", "--algorithm", "adaptive"},
                                              {"bench", "predicates", "--predicate", "handedness"},
                                              {"bench", "predicates", "--family", "addams"},
                                              {"bench", "predicates", "--queries", "0"},

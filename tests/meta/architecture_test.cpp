@@ -87,7 +87,8 @@ TEST(Architecture, TheCheckerSharesNoCodeWithWhatItChecks) {
 /// What outsiders can do without this project's code, examples and peers do.
 TEST(Architecture, OutsidersSeeThePluginHeadersOnly) {
   const std::vector<std::string> headers{"predicates/plugin/tribunal_predicates.h",
-                                         "algorithms/plugin/tribunal_triangulator.h"};
+                                         "algorithms/plugin/tribunal_triangulator.h",
+                                         "algorithms/plugin/tribunal_mesher.h"};
   for (const std::string& header : headers)
     EXPECT_EQ(read(root / header).find("#include \""), std::string::npos);
   std::size_t examples = 0, peers = 0;

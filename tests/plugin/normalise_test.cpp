@@ -1,5 +1,5 @@
 // Freedom that outsiders have is taken out of meshes before the checker sees them, and nothing else is.
-#include "bench/outsider/normalise.hpp"
+#include "bench/normalise.hpp"
 
 #include <gtest/gtest.h>
 

@@ -21,7 +21,7 @@ TEST(UnusablePlugins, AreNamedWithTheReason) {
   expect_refused(folder.write("empty.so", ""), "cannot be loaded");
   expect_refused("/tmp", "cannot be loaded");
   expect_refused(module_file("unresolved"), "a_function_that_nobody_defines");
-  expect_refused(module_file("no_entry"), "defines neither");
+  expect_refused(module_file("no_entry"), "defines none of");
   expect_refused(module_file("other_version"), "version 2 of the plug-in interface, not 1");
   expect_refused(module_file("offers_nothing"), "offers no predicate");
   expect_refused(module_file("dies_when_loaded"), "signal: Aborted");

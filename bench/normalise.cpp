@@ -1,4 +1,4 @@
-#include "bench/outsider/normalise.hpp"
+#include "bench/normalise.hpp"
 
 #include "algorithms/mesh/canonical.hpp"
 #include "predicates/backends/exact_sign.hpp"
@@ -9,9 +9,7 @@
 #include <utility>
 
 namespace tribunal::bench {
-namespace {
 
-/// Of each point the first that is equal to it.
 std::vector<Index> first_copies(std::span<const Point2> points) {
   std::vector<Index> order(points.size());
   std::iota(order.begin(), order.end(), Index{0});
@@ -23,8 +21,6 @@ std::vector<Index> first_copies(std::span<const Point2> points) {
   }
   return first;
 }
-
-}  // namespace
 
 std::vector<Triangle> normalise(std::span<const Point2> points, std::vector<Triangle> triangles) {
   const std::vector<Index> first = first_copies(points);
