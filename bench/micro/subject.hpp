@@ -47,8 +47,8 @@ std::vector<Subject> backend_subjects();
 Subject batch_subject();
 
 /// The predicates of a plug-in (predicates/plugin/tribunal_predicates.h) by their batched entries, so that
-/// crossing the boundary costs nothing per query; what has none is refused. Nothing where the module offers no
-/// predicates at all. Throws PluginError where it cannot be used.
+/// crossing the boundary costs nothing per query; what has none is refused. Nothing where the module offers
+/// no predicates at all. Throws PluginError where it cannot be used.
 std::optional<Subject> plugin_subject(const std::string& module_path);
 
 }  // namespace tribunal::bench
