@@ -218,6 +218,13 @@ TEST(GraphRace, AMesherThatHangsIsAnOutcome) {
   }
 }
 
+TEST(GraphRace, AMesherThatLeavesTheRoundingModeChangedHasNoTime) {
+  const auto peer = peer_contestant(TRIBUNAL_SAMPLE_MESHER_ROUNDING, RaceKind::graph).value();
+  const Lap lap = run_apart([&] { return peer.run(square()); }, {});
+  EXPECT_NE(lap.outcome, Outcome::ok);
+  EXPECT_NE(lap.reason.find("floating-point environment"), std::string::npos) << lap.reason;
+}
+
 TEST(GraphRace, TrianglesAreComparedAsTheyAre) {
   Standing subject, rival;
   subject.seconds = rival.seconds = {1, 2};

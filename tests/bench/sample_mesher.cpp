@@ -1,11 +1,13 @@
 // Meshers for the tests of races. They serve convex polygons alone, and join their points to the first one or
 // to a new one in the middle. Built in variants: one does that, one leaves out the last triangle, one never
-// answers, one offers nothing.
+// answers, one offers nothing, one leaves the rounding mode changed.
 #include "algorithms/plugin/tribunal_mesher.h"
+
+#include <cfenv>
 
 namespace {
 
-enum Flaw { none, gap, hang, idle };
+enum Flaw { none, gap, hang, idle, rounding };
 constexpr Flaw flaw = SAMPLE_FLAW;
 
 /// The polygon must be given by segments i to i + 1, and the last one to 0.
@@ -22,6 +24,7 @@ void wait_for_ever() {
 
 int triangulate(const tribunal_graph* graph, const tribunal_receiver* receiver) {
   if (flaw == hang) wait_for_ever();
+  if (flaw == rounding) std::fesetround(FE_UPWARD);
   if (!is_polygon(graph)) return TRIBUNAL_REFUSED;
   const auto n = static_cast<uint32_t>(graph->n);
   for (uint32_t i = 2; i < (flaw == gap ? n - 1 : n); ++i) receiver->triangle(receiver->sink, 0, i, i - 1);
@@ -30,6 +33,7 @@ int triangulate(const tribunal_graph* graph, const tribunal_receiver* receiver) 
 
 int refine(const tribunal_graph* graph, const tribunal_bounds* bounds, const tribunal_receiver* receiver) {
   if (flaw == hang) wait_for_ever();
+  if (flaw == rounding) std::fesetround(FE_UPWARD);
   if (!is_polygon(graph) || bounds->sine_squared > 0.5) return TRIBUNAL_REFUSED;
   const auto n = static_cast<uint32_t>(graph->n);
   double x = 0, y = 0;
