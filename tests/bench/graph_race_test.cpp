@@ -29,7 +29,7 @@ RaceOptions race_of(const std::vector<Method>& methods, const char* dataset, std
 }
 
 /// The unit square, its sides as segments, within easy bounds.
-Ground square() {
+Ground square_ground() {
   return {.points = {{{0, 0}}, {{1, 0}}, {{1, 1}}, {{0, 1}}},
           .segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}},
           .holes = {},
@@ -121,12 +121,13 @@ TEST(GraphRace, AMeshWithoutTheBoundsHasNoTime) {
 }
 
 TEST(GraphRace, RightMeshesOfASquareAreFound) {
-  EXPECT_TRUE(judge_over(square(), four_triangles()).stands());
+  EXPECT_TRUE(judge_over(square_ground(), four_triangles()).stands());
   Lap turned = four_triangles();
   std::swap(turned.triangles[2][0], turned.triangles[2][1]);
   turned.subsegments.push_back({1, 0});
-  EXPECT_EQ(judge_over(square(), turned).outcome, Outcome::ok) << "orientation and repetition are free";
-  EXPECT_EQ(judge_over(square(), {.triangles = {{0, 1, 2}, {0, 3, 2}}}, RaceKind::graph).outcome,
+  EXPECT_EQ(judge_over(square_ground(), turned).outcome, Outcome::ok)
+      << "orientation and repetition are free";
+  EXPECT_EQ(judge_over(square_ground(), {.triangles = {{0, 1, 2}, {0, 3, 2}}}, RaceKind::graph).outcome,
             Outcome::ok);
 }
 
@@ -134,7 +135,7 @@ TEST(GraphRace, WrongMeshesOfASquareAreFound) {
   const auto expect = [](Outcome outcome, const char* told, void (*mischief)(Lap&)) {
     Lap lap = four_triangles();
     mischief(lap);
-    const Ruling ruling = judge_over(square(), lap);
+    const Ruling ruling = judge_over(square_ground(), lap);
     EXPECT_EQ(ruling.outcome, outcome) << told;
     EXPECT_NE(ruling.reason.find(told), std::string::npos) << ruling.reason;
     EXPECT_FALSE(ruling.stands());
@@ -150,7 +151,7 @@ TEST(GraphRace, WrongMeshesOfASquareAreFound) {
 }
 
 TEST(GraphRace, PartsOfASegmentLieOnIt) {
-  Ground ground = square();
+  Ground ground = square_ground();
   Lap lap{.triangles = {{0, 4, 3}, {4, 1, 2}, {4, 2, 3}},
           .vertices = {{{0.5, 0}}},
           .subsegments = {{0, 4}, {4, 1}, {1, 2}, {2, 3}, {3, 0}}};
@@ -186,7 +187,7 @@ TEST(GraphRace, SmallAnglesElsewhereAreNotExcused) {
 }
 
 TEST(GraphRace, MeshersOfModulesAreAsked) {
-  const Ground ground = square();
+  const Ground ground = square_ground();
   for (const RaceKind kind : {RaceKind::graph, RaceKind::refinement}) {
     const auto honest = peer_contestant(TRIBUNAL_SAMPLE_MESHER, kind);
     const auto careless = peer_contestant(TRIBUNAL_SAMPLE_MESHER_GAP, kind);
@@ -220,7 +221,7 @@ TEST(GraphRace, AMesherThatHangsIsAnOutcome) {
 
 TEST(GraphRace, AMesherThatLeavesTheRoundingModeChangedHasNoTime) {
   const auto peer = peer_contestant(TRIBUNAL_SAMPLE_MESHER_ROUNDING, RaceKind::graph).value();
-  const Lap lap = run_apart([&] { return peer.run(square()); }, {});
+  const Lap lap = run_apart([&] { return peer.run(square_ground()); }, {});
   EXPECT_NE(lap.outcome, Outcome::ok);
   EXPECT_NE(lap.reason.find("floating-point environment"), std::string::npos) << lap.reason;
 }
