@@ -58,7 +58,9 @@ TEST(Peers, ThatStandBesideTheProgramCanBeTriedUnlessTheyAreMeshersAlone) {
     const cli::Ended ended = run_try({"--plugin", peer["file"], "--queries", "50", "-n", "10"});
     const bool mesher = peer["offers"][0] == "constrained";
     EXPECT_EQ(ended.status, mesher ? 2 : 0) << peer;
-    if (mesher) EXPECT_TRUE(ended.one_line_error()) << ended.err;
+    if (mesher) {
+      EXPECT_TRUE(ended.one_line_error()) << ended.err;
+    }
   }
 }
 
