@@ -100,8 +100,12 @@ std::optional<Index> recover_forwards(Mesh& mesh, Index a, Index b, Index segmen
 // Where a segment leaves a vertex is found by going around it: around the end with few neighbours.
 std::optional<Index> recover(Mesh& mesh, Index a, Index b, Index segment, Recovery recovery,
                              Recovered& recovered) {
-  if (a == b || !has_smaller_star(mesh, b, a))
-    return recover_forwards(mesh, a, b, segment, recovery, recovered);
+  if (a == b) return std::nullopt;
+  if (const HalfEdge h = mesh.edge(a, b); h != PlanarMesh::none) {  // as most segments are from the start
+    put_on(mesh, h, segment, recovered);
+    return std::nullopt;
+  }
+  if (!has_smaller_star(mesh, b, a)) return recover_forwards(mesh, a, b, segment, recovery, recovered);
   const auto runs = static_cast<std::ptrdiff_t>(recovered.runs.size()),
              touches = static_cast<std::ptrdiff_t>(recovered.touches.size());
   const auto crossed = recover_forwards(mesh, b, a, segment, recovery, recovered);
