@@ -9,9 +9,6 @@
 
 namespace tribunal::bench {
 
-/// Of each point the first that is equal to it. O(n log n).
-std::vector<Index> first_copies(std::span<const Point2> points);
-
 /// What outsiders may choose freely is chosen for them: a corner at a repeated position becomes its first
 /// copy, clockwise triangles are turned round, by exact signs, and the order is that of canonical(). Corners
 /// out of range, repeated corners and flat triangles stay as they are, for the checker to find. O((n + t) log

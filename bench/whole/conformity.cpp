@@ -1,6 +1,6 @@
 #include "bench/whole/conformity.hpp"
 
-#include "bench/normalise.hpp"
+#include "algorithms/duplicates.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -94,7 +94,7 @@ bool enclose_little(const Edge& s, const Edge& t, std::span<const Point2> points
 class SmallAngles {
  public:
   SmallAngles(const Ground& ground, const SegmentPaths& paths)
-      : ground_(ground), paths_(paths), first_(first_copies(ground.points)) {}
+      : ground_(ground), paths_(paths), first_(first_occurrences(ground.points)) {}
 
   /// Whether a corner of the triangle lies on a segment that encloses less than 60 degrees with another.
   bool excuse(const Triangle& t) const {
@@ -132,7 +132,7 @@ Shape shape_of(Point2 a, Point2 b, Point2 c) {
 
 SegmentPaths follow_segments(const Ground& ground, const RefinedMesh& mesh) {
   SegmentPaths paths{std::vector<std::vector<Index>>(mesh.points.size()), {}};
-  const std::vector<Index> first = first_copies(ground.points);
+  const std::vector<Index> first = first_occurrences(ground.points);
   const Incidence incidence(mesh.subsegments, mesh.points.size());
   std::vector<bool> used(mesh.subsegments.size(), false);
   for (Index s = 0; s < ground.segments.size(); ++s) {

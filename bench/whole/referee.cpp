@@ -1,5 +1,6 @@
 #include "bench/whole/referee.hpp"
 
+#include "algorithms/duplicates.hpp"
 #include "algorithms/mesh/canonical.hpp"
 #include "bench/judge.hpp"
 #include "bench/normalise.hpp"
@@ -44,7 +45,7 @@ Ruling judge_refined(const Ground& ground, Lap lap) {
   if (!in_range(lap.triangles, points.size()) || !in_range(lap.subsegments, points.size()))
     return {Outcome::invalid_topology, "a corner or an end is no point"};
   const auto triangles = normalise(points, std::move(lap.triangles));
-  const std::vector<Index> first = first_copies(points);
+  const std::vector<Index> first = first_occurrences(points);
   for (Edge& ends : lap.subsegments) ends = undirected(first[ends[0]], first[ends[1]]);
   std::ranges::sort(lap.subsegments);
   lap.subsegments.erase(std::unique(lap.subsegments.begin(), lap.subsegments.end()), lap.subsegments.end());
