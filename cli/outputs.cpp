@@ -50,6 +50,7 @@ void check_outputs(const Outputs& outputs, const Console& console) {
       if (fs::equivalent(file, input, none)) throw BadUsage(file.string() + " would overwrite its own input");
   }
   std::vector<fs::path> places;
+  places.reserve(written.size());
   for (const fs::path& file : written) places.push_back(fs::weakly_canonical(file));
   std::ranges::sort(places);
   const auto twice = std::ranges::adjacent_find(places);
