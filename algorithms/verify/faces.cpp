@@ -7,6 +7,7 @@
 #include "algorithms/verify/exact_signs.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace tribunal::verify {
@@ -20,6 +21,7 @@ class Faces {
   Faces(std::span<const Point2> points, std::span<const Piece> pieces) : points_(points), pieces_(pieces) {
     sort_around_vertices();
     trace_loops();
+    sort_into_strips();
   }
 
   std::uint32_t loops() const { return static_cast<std::uint32_t>(outer_.size()); }
@@ -40,7 +42,7 @@ class Faces {
   /// The directed piece next above p (pieces at `vertex` left out), with p's region on its left.
   std::optional<std::uint32_t> above(Point2 p, std::uint32_t vertex) const {
     std::optional<std::uint32_t> lowest;
-    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+    for (const std::uint32_t i : strips_[strip(p[0])]) {
       if (pieces_[i].low == vertex || pieces_[i].high == vertex) continue;
       const auto [left, right] = ends(i);
       if (!(points_[left][0] <= p[0] && p[0] < points_[right][0])) continue;
@@ -131,6 +133,26 @@ class Faces {
       outer_.push_back(enclosed_area(edges) == Sign::positive);
     }
   }
+  /// Pieces by the vertical strips that they reach into: about the root of their number, with as many left
+  /// ends in each.
+  void sort_into_strips() {
+    std::vector<double> lefts;
+    lefts.reserve(pieces_.size());
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) lefts.push_back(points_[ends(i)[0]][0]);
+    std::sort(lefts.begin(), lefts.end());
+    const auto stride = static_cast<std::size_t>(std::sqrt(static_cast<double>(lefts.size())));
+    for (std::size_t i = stride; i < lefts.size(); i += stride) borders_.push_back(lefts[i]);
+    strips_.resize(borders_.size() + 1);
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+      const auto [left, right] = ends(i);
+      for (std::size_t k = strip(points_[left][0]), last = strip(points_[right][0]); k <= last; ++k)
+        strips_[k].push_back(i);
+    }
+  }
+  std::size_t strip(double x) const {
+    return static_cast<std::size_t>(std::upper_bound(borders_.begin(), borders_.end(), x) - borders_.begin());
+  }
+
   std::uint32_t highest(std::uint32_t loop) const {
     std::uint32_t top = from(start_[loop]);
     for_each_of(loop, [&](std::uint32_t d) {
@@ -145,6 +167,8 @@ class Faces {
   std::vector<std::uint32_t> loop_;            // of each directed piece
   std::vector<std::uint32_t> start_;           // of each loop
   std::vector<bool> outer_;                    // of each loop: it runs around its region counter-clockwise
+  std::vector<double> borders_;                // between strips
+  std::vector<std::vector<std::uint32_t>> strips_;  // the pieces in each
 };
 
 }  // namespace
