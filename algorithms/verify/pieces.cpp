@@ -67,6 +67,7 @@ class Follower {
         faults_(faults) {}
 
   void follow(std::uint32_t a, std::uint32_t b) {
+    if (neighbours_.of(b).size() < neighbours_.of(a).size()) std::swap(a, b);  // hubs are costly to leave
     for (std::uint32_t at = a; at != b;) {
       auto next = along_edge(a, at, b);
       const bool on_mesh = next.has_value();
