@@ -7,6 +7,7 @@
 #include "algorithms/stretching/point_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <queue>
 #include <utility>
@@ -16,10 +17,22 @@ namespace {
 using constrained::GraphMesh;
 using refinement::Sighting;
 
+/// Squares of lengths are compared, and their products.
+void require_usual_size(const Graph& graph) {
+  double extent = 0;
+  for (const Point2& p : graph.points)
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      extent = std::max(extent, std::fabs(p[axis] - graph.points[0][axis]));
+  if (!(0x1p-200 < extent && extent < 0x1p200))
+    throw Abandon(Outcome::refused_input,
+                  "the domain is smaller than 2^-200 or larger than 2^200: scale it by a power of two");
+}
+
 constrained::GraphMesh build(const Graph& graph, std::span<const Index> order, const Kernel2& kernel,
                              const Options& options) {
   if (const std::string reason = options.spacing.refuse(); !reason.empty())
     throw Abandon(Outcome::refused_input, reason);
+  require_usual_size(graph);
   const constrained::GraphSites sites = constrained::distinct_sites(graph, order, kernel);
   if (sites.collinear) throw Abandon(Outcome::refused_input, "all points lie on one line");
   return build_graph_mesh(graph, sites, kernel, Recovery::cavity);

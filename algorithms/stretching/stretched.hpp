@@ -51,8 +51,8 @@ struct Stretched {
 ///
 /// S, s and r are rounded: they decide where vertices go. What becomes of the mesh is decided by signs alone.
 /// Segments are never split. Throws Abandon: what build_graph_mesh throws, and refused_input for a spacing
-/// that is none or takes more than most_vertices, and for collinear points. O(log n) a vertex where the walls
-/// are resolved.
+/// that is none or takes more than most_vertices, for collinear points, and for domains beyond 2^+-200. O(log
+/// n) a vertex where the walls are resolved.
 Stretched refine_stretched(const Graph& graph, std::span<const Index> order, const Kernel2& kernel,
                            const Options& options);
 

@@ -118,6 +118,15 @@ TEST(Stretched, RefusesWhatMakesNoSense) {
   }
 }
 
+TEST(Stretched, RefusesSizesWhoseSquaresAreNoDoubles) {
+  for (const double scale : {0x1p-900, 0x1p900}) {
+    DatasetGraph domain = find_dataset("aerofoil")->graph(100, 1);
+    for (Point2& p : domain.points) p = {{p[0] * scale, p[1] * scale}};
+    const Sample sample(std::move(domain));
+    EXPECT_THROW(refine(sample, {1e-3 * scale, 1.3, 1}), Abandon) << scale;
+  }
+}
+
 TEST(Stretched, GivesUpAtTheMostVertices) {
   const Sample sample(find_dataset("aerofoil")->graph(100, 1));
   try {
