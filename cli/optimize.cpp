@@ -11,10 +11,11 @@
 #include "cli/outputs.hpp"
 #include "cli/picture.hpp"
 #include "cli/predicate_counts.hpp"
+#include "cli/statistics.hpp"
 #include "cli/verbs.hpp"
 #include "datasets/files/pslg.hpp"
-#include "datasets/files/text.hpp"
 
+#include <array>
 #include <ostream>
 
 namespace tribunal::cli {
@@ -83,20 +84,14 @@ json angles_json(const Sites& sites, std::span<const Triangle> triangles) {
           {"smallest", smallest_degrees(sites, triangles)}};
 }
 
-void print_summary(const OptimizeOptions& options, const json& stats, Console& console) {
-  std::vector<std::vector<std::string>> rows;
-  const auto text = [](const json& value) {
-    return value.is_string() ? value.get<std::string>() : value.dump();
-  };
-  for (const char* key : {"criterion", "backend", "n", "triangles", "outcome"})
-    rows.push_back({key, text(stats.at(key))});
-  for (const auto& [name, value] : stats.at("counts").items()) rows.push_back({name, text(value)});
+TableRows summary(const json& stats) {
+  constexpr std::array keys{"criterion", "backend", "n", "triangles", "outcome"};
+  TableRows rows = rows_of(stats, keys);
+  for (const auto& [name, value] : stats.at("counts").items()) rows.push_back({name, plain_text(value)});
   for (const char* which : {"largest", "smallest"})
-    rows.push_back({std::string(which) + " angle", text(stats.at("angles_before").at(which)) + " -> " +
-                                                       text(stats.at("angles_after").at(which))});
-  const bool piped = options.output == "-" || options.stats == "-";
-  Console free{.out = piped ? console.log : console.out, .log = console.log};
-  print_table(free, rows);
+    rows.push_back({std::string(which) + " angle", plain_text(stats.at("angles_before").at(which)) + " -> " +
+                                                       plain_text(stats.at("angles_after").at(which))});
+  return rows;
 }
 
 }  // namespace
@@ -150,9 +145,7 @@ int optimize(const OptimizeOptions& options, Console& console) {
   if (good_mesh && !options.output.empty())
     write_mesh(options.output, input.points.points, result.mesh.triangles);
   if (good_mesh) picture.draw(input.points.points, result.mesh.triangles);
-  if (!options.stats.empty()) write_text(options.stats, stats.dump(2) + "\n");
-  if (console.json) print_json(console, stats);
-  if (!console.json) print_summary(options, stats, console);
+  tell(stats, summary(stats), options.output, options.stats, console);
   return good_mesh ? good : judged_bad;
 }
 

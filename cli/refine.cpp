@@ -9,13 +9,14 @@
 #include "cli/lookup.hpp"
 #include "cli/outputs.hpp"
 #include "cli/predicate_counts.hpp"
+#include "cli/statistics.hpp"
 #include "cli/verbs.hpp"
 #include "datasets/files/picture.hpp"
-#include "datasets/files/text.hpp"
 #include "predicates/counted.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <ostream>
 
 namespace tribunal::cli {
@@ -133,18 +134,14 @@ void write_outputs(const RefineOptions& options, const GraphInput& input, const 
       .draw(mesh.points, mesh.triangles, segments);
 }
 
-void print_summary(Console console, const json& stats) {
-  std::vector<std::vector<std::string>> rows;
-  const auto text = [](const json& value) {
-    return value.is_string() ? value.get<std::string>() : value.dump();
-  };
-  for (const char* key : {"algorithm", "backend", "n", "segments", "vertices", "triangles", "outcome"})
-    rows.push_back({key, text(stats.at(key))});
+TableRows summary(const json& stats) {
+  constexpr std::array keys{"algorithm", "backend", "n", "segments", "vertices", "triangles", "outcome"};
+  TableRows rows = rows_of(stats, keys);
   for (const char* which : {"smallest", "largest"})
-    rows.push_back({std::string(which) + " angle", text(stats.at("angles").at(which))});
-  for (const auto& [name, value] : stats.at("counts").items()) rows.push_back({name, text(value)});
-  rows.push_back({"seconds", text(stats.at("seconds"))});
-  print_table(console, rows);
+    rows.push_back({std::string(which) + " angle", plain_text(stats.at("angles").at(which))});
+  for (const auto& [name, value] : stats.at("counts").items()) rows.push_back({name, plain_text(value)});
+  rows.push_back({"seconds", plain_text(stats.at("seconds"))});
+  return rows;
 }
 
 }  // namespace
@@ -183,10 +180,7 @@ int refine(const RefineOptions& options, Console& console) {
     write_outputs(options, input, run.refined);
   else
     console.log << to_string(report.outcome) << ": " << report.reason << '\n';
-  if (!options.stats.empty()) write_text(options.stats, stats.dump(2) + "\n");
-  if (console.json) print_json(console, stats);
-  const bool piped = options.output == "-" || options.stats == "-";
-  if (!console.json) print_summary({.out = piped ? console.log : console.out, .log = console.log}, stats);
+  tell(stats, summary(stats), options.output, options.stats, console);
   return report.outcome == Outcome::ok ? good : judged_bad;
 }
 

@@ -12,13 +12,14 @@
 #include "cli/outputs.hpp"
 #include "cli/picture.hpp"
 #include "cli/predicate_counts.hpp"
+#include "cli/statistics.hpp"
 #include "cli/verbs.hpp"
 #include "datasets/files/files.hpp"
-#include "datasets/files/text.hpp"
 #include "predicates/counted.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <ostream>
@@ -205,16 +206,6 @@ json stats_json(const TriangulateOptions& options, const Method& method, const I
   return stats;
 }
 
-void print_summary(Console console, const json& stats) {
-  std::vector<std::vector<std::string>> rows;
-  for (const char* key : {"algorithm", "backend", "n", "duplicates", "outcome", "dimension", "triangles",
-                          "hull", "tau", "flips", "digest", "seconds"}) {
-    const json& value = stats.at(key);
-    rows.push_back({key, value.is_string() ? value.get<std::string>() : value.dump()});
-  }
-  print_table(console, rows);
-}
-
 void report_duplicates(const PointFile& file, const Triangulation& t, const TriangulateOptions& options,
                        Console& console) {
   constexpr std::size_t most_named = 10;
@@ -268,14 +259,13 @@ int triangulate(const TriangulateOptions& options, Console& console) {
 
   report_duplicates(input.points(), result, options, console);
   if (result.outcome == Outcome::ok) write_outputs(options, input, run, picture);
-  if (!options.stats.empty()) write_text(options.stats, stats.dump(2) + "\n");
-  if (console.json) print_json(console, stats);
-  if (result.outcome == Outcome::out_of_domain || result.outcome == Outcome::refused_input)
-    throw BadInput(result.reason);
-  if (result.outcome != Outcome::ok)
+  const bool refused = result.outcome == Outcome::out_of_domain || result.outcome == Outcome::refused_input;
+  if (result.outcome != Outcome::ok && !refused)
     console.log << to_string(result.outcome) << ": " << result.reason << '\n';
-  const bool piped = options.mesh == "-" || options.stats == "-";
-  if (!console.json) print_summary({.out = piped ? console.log : console.out, .log = console.log}, stats);
+  constexpr std::array keys{"algorithm", "backend", "n",   "duplicates", "outcome", "dimension",
+                            "triangles", "hull",    "tau", "flips",      "digest",  "seconds"};
+  tell(stats, refused ? TableRows{} : rows_of(stats, keys), options.mesh, options.stats, console);
+  if (refused) throw BadInput(result.reason);
   return result.outcome == Outcome::ok ? good : judged_bad;
 }
 
