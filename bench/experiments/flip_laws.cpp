@@ -155,6 +155,10 @@ Finding run_flip_laws(const Cell& cell) {
   for (Index v = 0; v < vertices.size(); ++v) vertices[v] = v;
   const Kernel2Binding asked = cell_kernel(points, cell), exact = find_backend("gmp")->bind2(points);
   if (const auto* refusal = std::get_if<Refusal>(&asked)) return {Outcome::out_of_domain, describe(*refusal)};
+  if (std::all_of(points.begin(), points.end(), [&](const Point2& p) {
+        return std::get<0>(exact)->orient2d(points[0], points[points.size() > 1], p) == Sign::zero;
+      }))
+    return {Outcome::refused_input, "all sites are collinear"};
   const Trial trial{points, vertices, *std::get<0>(asked), *std::get<0>(exact)};
   const FlipOptions options = flip_options(cell.parameters);
   const std::string criterion = choice(cell.parameters, criterion_parameter);
