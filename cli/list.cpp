@@ -157,7 +157,7 @@ int list(const ListOptions& options, Console& console) {
     const char* what;
     json (*entries)();
     std::vector<std::string> columns;
-    std::string note = "";  ///< below the table
+    std::string note = {};  ///< below the table
   };
   const Listing listings[] = {
       {"algorithms", list_algorithms, {"name", "dimension", "cites", "summary"}},
