@@ -20,6 +20,7 @@ constexpr std::int64_t steps_per_degree = std::int64_t{65535} * 8192;
 /// Degrees east of Greenwich, 0 to 360, and north, both times `steps_per_degree`.
 struct Place {
   std::int64_t x, y;
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 means the zero inside <=>.
   friend auto operator<=>(const Place&, const Place&) = default;
 };
 
