@@ -104,16 +104,19 @@ class Rings {
   std::vector<Passage> corners_, touched_;
 };
 
-/// A corner of an inner ring that its outer ring does not hold. A ring all of whose corners are on the outer
-/// one leaves nothing between them, or lies outside.
+/// A corner of an inner ring that its outer ring does not hold: without crossing it a ring may still leave it
+/// through its corners. A ring all of whose corners are on the outer one leaves nothing between them, or lies
+/// outside.
 std::optional<Index> corner_outside(const Graph& graph, const Rings& rings, Index inner, Index outer,
                                     const Enclosure& enclosure) {
+  bool inside = false;
   for (const Index s : rings.segments(inner)) {
     const Index corner = graph.segments[s][0];
     if (rings.passes(outer, corner)) continue;
-    return enclosure.holds(graph.points[corner]) ? std::nullopt : std::optional(corner);
+    if (!enclosure.holds(graph.points[corner])) return corner;
+    inside = true;
   }
-  return graph.segments[rings.segments(inner)[0]][0];
+  return inside ? std::nullopt : std::optional(graph.segments[rings.segments(inner)[0]][0]);
 }
 
 }  // namespace

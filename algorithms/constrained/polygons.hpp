@@ -27,8 +27,8 @@ struct RingFault {
 /// The first fault of polygons whose segments do not cross: a ring that meets itself in a point, or an inner
 /// ring that is not inside its outer one (OGC 06-103r4, 6.1.11). Rings of one polygon may touch each other in
 /// points, rings of several may do what they like. `touches` is what the graph's constrained triangulation
-/// says of it. O(n log n), and for each inner ring a look at as many of the outer one's segments as reach its
-/// height within a band of about the square root of them.
+/// says of it. O(n log n), and for each corner of an inner ring a look at as many of the outer one's segments
+/// as reach its height within a band of about the square root of them.
 std::optional<RingFault> find_ring_fault(const Graph& graph, const Polygons& polygons,
                                          std::span<const Touch> touches, const Kernel2& kernel);
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 
 namespace tribunal::constrained {
 namespace {
@@ -90,18 +91,32 @@ TEST(Polygons, RandomRingsAreJudgedAsByWindingNumbers) {
       ASSERT_TRUE(*judged && (*judged)->kind == RingFault::Kind::touches_itself) << i;
       continue;
     }
-    const auto free_corner = std::find_if(inner.begin(), inner.end(), [&](Point2 p) {
+    std::vector<Point2> free_corners;
+    std::copy_if(inner.begin(), inner.end(), std::back_inserter(free_corners), [&](Point2 p) {
       for (std::size_t k = 0; k < outer.size(); ++k)
         if (on_segment(outer[k], outer[(k + 1) % outer.size()], p)) return false;
       return true;
     });
-    const bool inside = free_corner != inner.end() && winding(outer, *free_corner) != 0;
+    const bool inside =
+        !free_corners.empty() && std::all_of(free_corners.begin(), free_corners.end(),
+                                             [&](Point2 p) { return winding(outer, p) != 0; });
     ASSERT_EQ(judged->has_value(), !inside) << i;
     ++(inside ? good : outside);
   }
   EXPECT_GT(good, 50);
   EXPECT_GT(touching, 500);
   EXPECT_GT(outside, 500);
+}
+
+// Out through one corner of the outer ring and in through another, crossing nothing.
+TEST(Polygons, InnerRingThatLeavesThroughCorners) {
+  RingsOfPoints rings;
+  rings.add({{{0, 0}}, {{4, 0}}, {{4, 2}}, {{4, 4}}, {{0, 4}}}, 0);
+  rings.add({{{3, 3}}, {{4, 2}}, {{6, 3}}, {{4, 4}}}, 0);
+  const auto judged = rings.judge();
+  ASSERT_TRUE(judged && *judged);
+  EXPECT_EQ((*judged)->kind, RingFault::Kind::outside_outer_ring);
+  EXPECT_EQ(rings.points[(*judged)->point], (Point2{{6, 3}}));
 }
 
 // Many holes in a ring of many corners: some inside, one in a bay.
