@@ -51,7 +51,7 @@ void require_polygons(const GraphInput& input, const Kernel2& kernel) {
   const bool touches = fault->kind == constrained::RingFault::Kind::touches_itself;
   throw BadInput(input.path + ":" + std::to_string(input.file.sites.lines[fault->point]) + ": " +
                  (touches ? "a ring touches itself at this point"
-                          : "this point of an inner ring is not inside the polygon's outer one"));
+                          : "at this point an inner ring is not inside the polygon's outer one"));
 }
 
 /// What signs without a promise have made.

@@ -119,6 +119,21 @@ std::optional<Index> corner_outside(const Graph& graph, const Rings& rings, Inde
   return inside ? std::nullopt : std::optional(graph.segments[rings.segments(inner)[0]][0]);
 }
 
+/// A corner of the outer ring that an inner one holds: an edge of it then leads from corner to corner through
+/// a bay. Only a ring that touches the outer one twice can do that.
+std::optional<Index> corner_held(const Graph& graph, const Rings& rings, Index inner, Index outer,
+                                 const Kernel2& kernel) {
+  const auto touching = std::count_if(rings.segments(inner).begin(), rings.segments(inner).end(),
+                                      [&](Index s) { return rings.passes(outer, graph.segments[s][0]); });
+  if (touching < 2) return std::nullopt;
+  const Enclosure enclosure(graph, rings.segments(inner), kernel);
+  for (const Index s : rings.segments(outer)) {
+    const Index corner = graph.segments[s][0];
+    if (!rings.passes(inner, corner) && enclosure.holds(graph.points[corner])) return corner;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<RingFault> find_ring_fault(const Graph& graph, const Polygons& polygons,
@@ -134,6 +149,8 @@ std::optional<RingFault> find_ring_fault(const Graph& graph, const Polygons& pol
     if (outer != enclosing) enclosure.emplace(graph, rings.segments(outer), kernel);
     enclosing = outer;
     if (const auto corner = corner_outside(graph, rings, ring, outer, *enclosure))
+      return RingFault{RingFault::Kind::outside_outer_ring, *corner};
+    if (const auto corner = corner_held(graph, rings, ring, outer, kernel))
       return RingFault{RingFault::Kind::outside_outer_ring, *corner};
   }
   return std::nullopt;

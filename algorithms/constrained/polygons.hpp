@@ -19,7 +19,7 @@ struct Polygons {
 /// What makes a polygon none.
 struct RingFault {
   enum class Kind { touches_itself, outside_outer_ring } kind;
-  Index point;  ///< where, or a corner of the ring that is outside
+  Index point;  ///< where, or a corner of the ring that is outside, or one of the outer ring that it holds
 
   bool operator==(const RingFault&) const = default;
 };
@@ -28,7 +28,8 @@ struct RingFault {
 /// ring that is not inside its outer one (OGC 06-103r4, 6.1.11). Rings of one polygon may touch each other in
 /// points, rings of several may do what they like. `touches` is what the graph's constrained triangulation
 /// says of it. O(n log n), and for each corner of an inner ring a look at as many of the outer one's segments
-/// as reach its height within a band of about the square root of them.
+/// as reach its height within a band of about the square root of them; for a ring that touches its outer one
+/// twice, for each corner of the outer one, too.
 std::optional<RingFault> find_ring_fault(const Graph& graph, const Polygons& polygons,
                                          std::span<const Touch> touches, const Kernel2& kernel);
 

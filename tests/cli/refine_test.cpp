@@ -60,11 +60,11 @@ TEST(Refine, PolygonsThatBoundNothing) {
            BadPolygon{"tee.wkt", "POLYGON((0 0,4 0,\n4 4,2 0,0 4,0 0))", ":2: a ring touches itself"},
            BadPolygon{"spike.wkt", "POLYGON((0 0,4 0,4 4,\n6 6,4 4,0 4,0 0))", ":1: a ring touches itself"},
            BadPolygon{"away.wkt", "POLYGON((0 0,4 0,4 4,0 4,0 0),\n(7 1,8 1,8 2,7 1))",
-                      ":2: this point of an inner ring is not inside"},
+                      ":2: at this point an inner ring is not inside"},
            BadPolygon{"around.geojson",
                       R"({"type":"Polygon","coordinates":[[[1,1],[2,1],[1,2],[1,1]],
                       [[0,0],[5,0],[0,5],[0,0]]]})",
-                      ":2: this point of an inner ring is not inside"},
+                      ":2: at this point an inner ring is not inside"},
        }) {
     const std::string file = folder.write(bad.name, bad.text), mesh = folder / "mesh.off";
     const Ended ended = tribunal({"refine", file, "-o", mesh});

@@ -97,9 +97,14 @@ TEST(Polygons, RandomRingsAreJudgedAsByWindingNumbers) {
         if (on_segment(outer[k], outer[(k + 1) % outer.size()], p)) return false;
       return true;
     });
-    const bool inside =
-        !free_corners.empty() && std::all_of(free_corners.begin(), free_corners.end(),
-                                             [&](Point2 p) { return winding(outer, p) != 0; });
+    const bool held = std::any_of(outer.begin(), outer.end(), [&](Point2 p) {
+      for (std::size_t k = 0; k < inner.size(); ++k)
+        if (on_segment(inner[k], inner[(k + 1) % inner.size()], p)) return false;
+      return winding(inner, p) != 0;
+    });
+    const bool inside = !held && !free_corners.empty() &&
+                        std::all_of(free_corners.begin(), free_corners.end(),
+                                    [&](Point2 p) { return winding(outer, p) != 0; });
     ASSERT_EQ(judged->has_value(), !inside) << i;
     ++(inside ? good : outside);
   }
@@ -117,6 +122,17 @@ TEST(Polygons, InnerRingThatLeavesThroughCorners) {
   ASSERT_TRUE(judged && *judged);
   EXPECT_EQ((*judged)->kind, RingFault::Kind::outside_outer_ring);
   EXPECT_EQ(rings.points[(*judged)->point], (Point2{{6, 3}}));
+}
+
+// An edge between two corners of the outer ring across a bay, all else inside.
+TEST(Polygons, InnerRingAcrossABay) {
+  RingsOfPoints rings;
+  rings.add({{{0, 0}}, {{6, 0}}, {{6, 6}}, {{4, 6}}, {{3, 3}}, {{2, 6}}, {{0, 6}}}, 0);
+  rings.add({{{2, 6}}, {{4, 6}}, {{3, 1}}}, 0);
+  const auto judged = rings.judge();
+  ASSERT_TRUE(judged && *judged);
+  EXPECT_EQ((*judged)->kind, RingFault::Kind::outside_outer_ring);
+  EXPECT_EQ(rings.points[(*judged)->point], (Point2{{3, 3}}));
 }
 
 // Many holes in a ring of many corners: some inside, one in a bay.
