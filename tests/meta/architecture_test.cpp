@@ -1,50 +1,18 @@
 // Laws of the house: which room may include which, and that whatever stands in a listed folder is listed.
+#include "tests/meta/sources.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
 namespace {
-namespace fs = std::filesystem;
-
-const fs::path root = TRIBUNAL_SOURCE_DIR;
-constexpr std::array rooms{"predicates", "algorithms", "datasets", "bench", "reports", "cli"};
-
-struct Source {
-  std::string path;  // from the root
-  std::string text;
-  std::vector<std::string> includes;  // project headers only
-};
-
-std::string read(const fs::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-std::vector<Source> sources_of(const std::string& room) {
-  std::vector<Source> sources;
-  const std::regex include("#include \"([^\"]+)\"");
-  for (const auto& entry : fs::recursive_directory_iterator(root / room)) {
-    const std::string extension = entry.path().extension().string();
-    if (extension != ".hpp" && extension != ".cpp" && extension != ".h") continue;
-    Source source{fs::relative(entry.path(), root).string(), read(entry.path()), {}};
-    for (auto at = std::sregex_iterator(source.text.begin(), source.text.end(), include);
-         at != std::sregex_iterator(); ++at)
-      source.includes.push_back((*at)[1]);
-    sources.push_back(std::move(source));
-  }
-  return sources;
-}
+using namespace tribunal::meta;
 
 bool starts_with_any(const std::string& text, const std::vector<std::string>& prefixes) {
   return std::any_of(prefixes.begin(), prefixes.end(), [&](const auto& p) { return text.rfind(p, 0) == 0; });
@@ -134,29 +102,18 @@ TEST(Architecture, BackendsDoNotIncludeEachOther) {
 
 /// What defines an entry is named in the list of its folder.
 TEST(Architecture, EntriesAreListed) {
-  struct Folder {
-    std::string folder, mark, list;
-    std::string (*name)(const fs::path&);  // how the list names the file
-  };
-  const auto include = [](const fs::path& path) { return "#include \"" + path.string() + "\""; };
-  const auto stem = [](const fs::path& path) { return "(" + path.stem().string() + ")"; };
-  const std::array folders{
-      Folder{"predicates/backends", "BackendAbout about{", "predicates/backends/all.hpp", include},
-      Folder{"algorithms/planar", "constinit const PlanarAlgorithm", "algorithms/planar/list.def", stem},
-      Folder{"datasets/generators", "constinit const Dataset", "datasets/generators/list.def", stem},
-      Folder{"datasets/queries", "constinit const QueryFamily", "datasets/queries/list.def", stem},
-      Folder{"bench/experiments", "constinit const Experiment", "bench/experiments/list.def", stem},
-      Folder{"reports/judges", "constinit const Judge", "reports/judges/list.def", stem},
-  };
-  for (const auto& [folder, mark, list, name] : folders) {
+  for (const auto& [folder, mark, list, page] : all_entries) {
     const std::string listed = read(root / list);
-    std::size_t entries = 0;
+    const bool by_include = fs::path(list).extension() == ".hpp";  // else by its name alone
+    std::size_t found = 0;
     for (const Source& source : sources_of(folder)) {
       if (source.text.find(mark) == std::string::npos) continue;
-      ++entries;
-      EXPECT_NE(listed.find(name(source.path)), std::string::npos) << source.path << " is not in " << list;
+      ++found;
+      const std::string line =
+          by_include ? "#include \"" + source.path + "\"" : "(" + fs::path(source.path).stem().string() + ")";
+      EXPECT_NE(listed.find(line), std::string::npos) << source.path << " is not in " << list;
     }
-    EXPECT_GE(entries, 3U) << folder;
+    EXPECT_GE(found, 3U) << folder;
   }
 }
 
