@@ -4,7 +4,7 @@ namespace tribunal::cli {
 
 MeshFile read_mesh_over(const std::string& name, const PointFile& points, const std::string& mesh) {
   MeshFile read = read_mesh(mesh, points.points.size());
-  if (read.points.empty()) return read;
+  if (read.points.empty()) return read;  // .ele leaves them to a .node
   if (read.points.size() != points.points.size())
     throw BadInput(mesh + ": holds " + std::to_string(read.points.size()) + " vertices, but " + name +
                    " holds " + std::to_string(points.points.size()) + " points");

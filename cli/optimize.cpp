@@ -81,7 +81,7 @@ void check(std::span<const Point2> points, Improvement& result) {
 json angles_json(const Sites& sites, std::span<const Triangle> triangles) {
   if (triangles.empty()) return {{"largest", nullptr}, {"smallest", nullptr}};
   return {{"largest", degrees(sites, largest_corner(sites, triangles))},
-          {"smallest", smallest_degrees(sites, triangles)}};
+          {"smallest", degrees(sites, smallest_corner(sites, triangles))}};
 }
 
 TableRows summary(const json& stats) {

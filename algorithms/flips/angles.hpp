@@ -29,12 +29,23 @@ inline Triangle largest_corner(const Sites& sites, std::span<const Triangle> tri
   return largest;
 }
 
-/// And the smallest, in degrees.
-inline double smallest_degrees(const Sites& sites, std::span<const Triangle> triangles) {
-  double smallest = 180;
-  for (const auto& [a, b, c] : triangles)
-    for (const Triangle& corner : {Triangle{a, b, c}, {b, c, a}, {c, a, b}})
-      smallest = std::min(smallest, degrees(sites, corner));
+/// The corner {a, apex, b} of the triangle with the smallest angle: the one across from its shortest side. Of
+/// equal ones the first in the triangle.
+inline Triangle smallest_corner(const Sites& sites, const Triangle& t) {
+  std::size_t shortest = 0;  // side i runs from t[i] to t[i + 1]
+  for (std::size_t i = 1; i < 3; ++i)
+    if (sites.compare_length(t[i], t[(i + 1) % 3], t[shortest], t[(shortest + 1) % 3]) == Sign::negative)
+      shortest = i;
+  return {t[shortest], t[(shortest + 2) % 3], t[(shortest + 1) % 3]};
+}
+
+/// And the one with the smallest.
+inline Triangle smallest_corner(const Sites& sites, std::span<const Triangle> triangles) {
+  Triangle smallest = smallest_corner(sites, triangles[0]);
+  for (const Triangle& t : triangles)
+    if (const Triangle corner = smallest_corner(sites, t);
+        sites.compare_angle(corner, smallest) == Sign::negative)
+      smallest = corner;
   return smallest;
 }
 

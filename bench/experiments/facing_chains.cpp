@@ -2,8 +2,9 @@
 //
 // The first n points of the dataset `lawson-worst-case`, n = 2m, from the triangulation whose diagonals are
 // longest.
-// Counters: `flips`, `tests`, `sweeps`; `formula`, (m - 2)(2m - 5) / 2, what sweeps in ascending order take,
-// and `excess`, flips beyond it; `delaunay` (1 when the end is valid as that).
+// Counters: `flips`, `tests`, `sweeps`; `formula`, (m - 2)(2m - 5) / 2, the flips that sweeps in ascending
+// order take; `excess`, flips beyond it, and `sweeps_excess`, sweeps beyond m - 1; `delaunay` (1 when the end
+// is valid as that).
 #include "bench/experiments/facing_chains.hpp"
 
 #include "algorithms/flips/delaunay_criterion.hpp"
@@ -38,6 +39,7 @@ Finding run_facing_chains(const Cell& cell) {
                        {"sweeps", static_cast<double>(counts.sweeps)},
                        {"formula", formula},
                        {"excess", flips - formula},
+                       {"sweeps_excess", static_cast<double>(counts.sweeps) - (m - 1.0)},
                        {"runs", 1},
                        {"delaunay", verify::verify_planar(points, {.triangles = triangles}).valid()}}};
 }

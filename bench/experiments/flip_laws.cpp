@@ -7,8 +7,8 @@
 // them that the circle test wanted flipped; `unfinished` (the budget ran out); and of what is left: `valid`
 // (a triangulation), `delaunay` (valid as that, too) and `same` (the triangulation that insertion gives).
 #include "algorithms/abandon.hpp"
+#include "algorithms/flips/angles.hpp"
 #include "algorithms/flips/delaunay_criterion.hpp"
-#include "algorithms/flips/min_max_criterion.hpp"
 #include "algorithms/flips/parameters.hpp"
 #include "algorithms/list.hpp"
 #include "algorithms/mesh/canonical.hpp"
@@ -48,19 +48,6 @@ class TiesToo {
   Sites sites_;
 };
 
-/// The corner of the triangle with the smallest angle: across from its shortest side.
-Triangle smallest_corner(const Sites& sites, const Triangle& t) {
-  std::size_t shortest = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (sites.compare_length(t[i], t[(i + 1) % 3], t[shortest], t[(shortest + 1) % 3]) == Sign::negative)
-      shortest = i;
-  return {t[shortest], t[(shortest + 2) % 3], t[(shortest + 1) % 3]};
-}
-Triangle smallest_corner(const Sites& sites, const Triangle& t, const Triangle& u) {
-  const Triangle p = smallest_corner(sites, t), q = smallest_corner(sites, u);
-  return sites.compare_angle(q, p) == Sign::negative ? q : p;
-}
-
 /// Passes a criterion's answers on and keeps account of them.
 template <class Criterion>
 class Watched {
@@ -84,11 +71,11 @@ class Watched {
     const auto& [a, b, left, right] = quadrilateral_;
     const Triangle before[] = {{a, b, left}, {b, a, right}}, after[] = {{right, left, a}, {left, right, b}};
     if constexpr (is_min_max) {
-      falls += exact_.compare_angle(largest_corner(exact_, after[0], after[1]),
-                                    largest_corner(exact_, before[0], before[1])) != Sign::negative;
+      falls += exact_.compare_angle(largest_corner(exact_, after), largest_corner(exact_, before)) !=
+               Sign::negative;
     } else {
-      falls += exact_.compare_angle(smallest_corner(exact_, after[0], after[1]),
-                                    smallest_corner(exact_, before[0], before[1])) != Sign::positive;
+      falls += exact_.compare_angle(smallest_corner(exact_, after), smallest_corner(exact_, before)) !=
+               Sign::positive;
       rises += exact_.incircle(a, b, left, right) != Sign::positive;
     }
     removed_.insert(std::minmax(a, b));
@@ -127,7 +114,8 @@ Finding watch(const Trial& trial, const FlipOptions& options) {
       engine.flip_from_stack();
     else
       engine.flip_in_sweeps(options.scan, options.seed);
-  } catch (const Abandon&) {
+  } catch (const Abandon& abandon) {
+    if (abandon.outcome != Outcome::loop) throw;
     finished = false;
   }
   const std::vector<Triangle> triangles = mesh.triangles();

@@ -1,7 +1,8 @@
 // Experiment `greedy-quality`: the angles and the total length of the greedy triangulation beside Delaunay's.
 //
 // On the distinct points of one dataset. Counters: `runs` (1); `greedy.min_angle`, `delaunay.min_angle`
-// (degrees); `larger_min` (1 where greedy's smallest angle is larger, compared exactly); `greedy.length`,
+// (degrees); `larger_min`, `smaller_min` (1 where greedy's smallest angle is larger, or smaller, compared
+// exactly); `greedy.length`,
 // `delaunay.length` (rounded sums); `different` (edges of the greedy triangulation that the other has not);
 // `edges`.
 #include "algorithms/flips/angles.hpp"
@@ -17,21 +18,6 @@
 
 namespace tribunal::bench {
 namespace {
-
-/// The corner {a, apex, b} with the smallest angle of all: in its triangle it is across from the shortest
-/// side.
-Triangle smallest_corner(const Sites& sites, const std::vector<Triangle>& triangles) {
-  Triangle smallest{};
-  for (const Triangle& t : triangles) {
-    std::size_t shortest = 0;  // side i runs from t[i] to t[i + 1]
-    for (std::size_t i = 1; i < 3; ++i)
-      if (sites.compare_length(t[i], t[(i + 1) % 3], t[shortest], t[(shortest + 1) % 3]) == Sign::negative)
-        shortest = i;
-    const Triangle corner{t[shortest], t[(shortest + 2) % 3], t[(shortest + 1) % 3]};
-    if (&t == triangles.data() || sites.compare_angle(corner, smallest) == Sign::negative) smallest = corner;
-  }
-  return smallest;
-}
 
 std::set<Edge> edges_of(const std::vector<Triangle>& triangles) {
   std::set<Edge> edges;
@@ -71,6 +57,7 @@ Finding run_greedy_quality(const Cell& cell) {
                        {"greedy.min_angle", degrees(sites, greedy)},
                        {"delaunay.min_angle", degrees(sites, delaunay)},
                        {"larger_min", sites.compare_angle(greedy, delaunay) == Sign::positive},
+                       {"smaller_min", sites.compare_angle(greedy, delaunay) == Sign::negative},
                        {"greedy.length", total_length(points, greedy_edges)},
                        {"delaunay.length", total_length(points, delaunay_edges)},
                        {"different", different},

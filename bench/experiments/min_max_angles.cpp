@@ -1,13 +1,14 @@
 // Experiment `min-max-angles`: the extreme angles of the Delaunay triangulation and of MinMax ones.
 //
-// On distinct points of one dataset. MinMax flips start from the Delaunay triangulation, edge insertion where
-// they end. Counters, angles in degrees: `delaunay.max`, `delaunay.min`, `local.max`, `local.min`,
-// `global.max`, `global.min`; `gap`, local.max - global.max; exactly compared: `local_missed` (1 when the
-// local optimum is not global), `delaunay_smaller_max` and `minmax_larger_min` (1 where the one triangulation
-// beats the other at the other's goal); `flips` from one to the other; of the insertion `insertions`,
-// `attempts`, `candidates`, `crossings`, `ears`, and `operations`, the sum of the last three;
-// `squared_sites`. Up to 9 points, parameter `exhaustive`: `triangulations`, how many there are, `best.max`,
-// and `global_missed` (1 when one of them has a smaller largest angle than edge insertion found).
+// On distinct points of one dataset. MinMax flips start from the Delaunay triangulation or, by the parameter
+// `start`, from one that knows no angles; edge insertion starts where they end. Counters, angles in degrees:
+// `delaunay.max`, `delaunay.min`, `local.max`, `local.min`, `global.max`, `global.min`; `gap`, local.max -
+// global.max; exactly compared: `local_missed` (1 when the local optimum is not global),
+// `delaunay_smaller_max` and `minmax_larger_min` (1 where the one triangulation beats the other at the
+// other's goal); `flips` from the start to the local optimum; of the insertion `insertions`, `attempts`,
+// `candidates`, `crossings`, `ears`, and `operations`, the sum of the last three; `squared_sites`. Up to 9
+// points, parameter `exhaustive`: `triangulations`, how many there are, `best.max`, and `global_missed` (1
+// when one of them has a smaller largest angle than edge insertion found).
 #include "algorithms/flips/angles.hpp"
 #include "algorithms/flips/delaunay_criterion.hpp"
 #include "algorithms/flips/lawson.hpp"
@@ -29,7 +30,11 @@ constexpr Parameter exhaustive_parameter{
     .name = "exhaustive", .summary = "compare with all triangulations", .standard = "no", .choices = [] {
       return std::vector<std::string_view>{"no", "yes"};
     }};
-constexpr std::array parameters{exhaustive_parameter};
+constexpr Parameter first_parameter{
+    .name = "start", .summary = "what MinMax flips start from", .standard = "delaunay", .choices = [] {
+      return std::vector<std::string_view>{"delaunay", "sweep", "fan"};
+    }};
+constexpr std::array parameters{exhaustive_parameter, first_parameter};
 
 void compare_with_all(const Sites& sites, const std::vector<Triangle>& global, Finding& finding) {
   Triangle best = largest_corner(sites, global);
@@ -66,6 +71,8 @@ Finding run_min_max_angles(const Cell& cell) {
   DelaunayCriterion circles(sites);
   flip_to_optimum(sites, mesh, circles, {});
   const auto delaunay = mesh.triangles();
+  if (const std::string start = choice(cell.parameters, first_parameter); start != "delaunay")
+    mesh = EdgeMesh(start_triangulation(sites, vertices, start == "fan" ? Start::fan : Start::sweep));
   MinMaxCriterion angles(sites);
   const FlipCounts flips = flip_to_optimum(sites, mesh, angles, {});
   const auto local = mesh.triangles();
@@ -73,22 +80,23 @@ Finding run_min_max_angles(const Cell& cell) {
 
   const Triangle of_delaunay = largest_corner(sites, delaunay), of_local = largest_corner(sites, local),
                  of_global = largest_corner(sites, global);
-  const double local_max = degrees(sites, of_local), global_max = degrees(sites, of_global),
-               delaunay_min = smallest_degrees(sites, delaunay), local_min = smallest_degrees(sites, local);
+  const Triangle least_of_delaunay = smallest_corner(sites, delaunay),
+                 least_of_local = smallest_corner(sites, local);
+  const double local_max = degrees(sites, of_local), global_max = degrees(sites, of_global);
   Finding finding{
       .counters = {
           {"runs", 1},
           {"squared_sites", static_cast<double>(points.size() * points.size())},
           {"delaunay.max", degrees(sites, of_delaunay)},
-          {"delaunay.min", delaunay_min},
+          {"delaunay.min", degrees(sites, least_of_delaunay)},
           {"local.max", local_max},
-          {"local.min", local_min},
+          {"local.min", degrees(sites, least_of_local)},
           {"global.max", global_max},
-          {"global.min", smallest_degrees(sites, global)},
+          {"global.min", degrees(sites, smallest_corner(sites, global))},
           {"gap", local_max - global_max},
           {"local_missed", sites.compare_angle(of_global, of_local) == Sign::negative},
           {"delaunay_smaller_max", sites.compare_angle(of_delaunay, of_local) == Sign::negative},
-          {"minmax_larger_min", local_min > delaunay_min},
+          {"minmax_larger_min", sites.compare_angle(least_of_local, least_of_delaunay) == Sign::positive},
           {"delaunay.valid", is_valid(sites, delaunay, verify::Kind::delaunay)},
           {"local.valid", is_valid(sites, local, verify::Kind::triangulation)},
           {"global.valid", is_valid(sites, global, verify::Kind::triangulation)},

@@ -46,7 +46,7 @@ PointFile read_points(Scanner& scanner) {
   return read_vertices(scanner, header.vertices);
 }
 
-MeshFile read_mesh(Scanner& scanner, std::uint64_t sites) {
+MeshFile read_mesh(Scanner& scanner, std::uint64_t) {
   const Header header = read_header(scanner);
   MeshFile mesh{.points = read_vertices(scanner, header.vertices).points, .triangles = {}};
   mesh.triangles.reserve(header.faces.plausible(scanner, 4));
@@ -55,8 +55,7 @@ MeshFile read_mesh(Scanner& scanner, std::uint64_t sites) {
     if (const auto corners = scanner.count("the number of corners"); corners != 3)
       scanner.refuse("a face with " + std::to_string(corners) + " corners, only triangles are read");
     auto& triangle = mesh.triangles.emplace_back();
-    for (auto& vertex : triangle)
-      vertex = take_vertex(scanner, 0, std::min<std::uint64_t>(sites, mesh.points.size()));
+    for (auto& vertex : triangle) vertex = take_vertex(scanner, 0, mesh.points.size());
   }
   header.faces.expect_end(scanner);
   return mesh;

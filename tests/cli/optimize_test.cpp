@@ -83,5 +83,28 @@ TEST(Optimize, RefusesWhatItCannotUse) {
   EXPECT_EQ(tribunal({"optimize", points, holey, "-o", holey}).status, 2) << "would overwrite its input";
 }
 
+/// The two widest points are farther apart than any double: 1.7 to either side of a height of 1.
+TEST(Optimize, AnglesAreRightWhereDifferencesOverflow) {
+  const Folder folder;
+  const std::string points = folder.write("p.xy", "-1.7e308 0\n1.7e308 0\n0 1e308\n"),
+                    mesh = folder / "m.off";
+  ASSERT_EQ(tribunal({"triangulate", points, "-o", mesh}).status, 0);
+  const auto angles = tribunal({"optimize", points, mesh, "--json"}).json().at("angles_after");
+  EXPECT_NEAR(angles.at("smallest").get<double>(), 30.465544919, 1e-8);
+  EXPECT_NEAR(angles.at("largest").get<double>(), 119.068910161, 1e-8);
+}
+
+TEST(Optimize, AMeshOverOtherPointsIsToldByTheirNumber) {
+  const Folder folder;
+  const std::string points = folder.write("p.xy", "0 0\n4 0\n4 3\n");
+  const std::string mesh =
+      folder.write("m.off", "OFF\n4 2 0\n0 0 0\n4 0 0\n4 3 0\n0 3 0\n3 0 1 2\n3 0 2 3\n");
+  for (const char* verb : {"optimize", "verify"}) {
+    const Ended ended = tribunal({verb, points, mesh});
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_NE(ended.err.find("m.off: holds 4 vertices, but"), std::string::npos) << ended.err;
+  }
+}
+
 }  // namespace
 }  // namespace tribunal::cli
