@@ -63,7 +63,7 @@ int claims(const ClaimsOptions& options, Console& console) {
   if (console.json)
     print_json(console, reports::claims_json(trials));
   else
-    console.out << reports::verdict_table(trials);
+    console.out << reports::verdict_table(trials) << (options.ids.empty() ? "" : reports::evidence(trials));
   const bool as_expected =
       std::all_of(trials.begin(), trials.end(), [](const auto& t) { return t.as_expected(); });
   return as_expected ? good : judged_bad;

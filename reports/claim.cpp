@@ -90,18 +90,19 @@ class Reader {
     return json;
   }
 
-  /// Rules hold numbers, texts, lists of them, and flat tables; nothing nests deeper.
+  /// Rules hold numbers, texts, yes or no, lists of them, and flat tables; nothing nests deeper.
   nlohmann::json scalar_or_list(const toml::node& node) const {
     if (const auto* value = node.as_string()) return value->get();
     if (const auto* value = node.as_integer()) return value->get();
     if (const auto* value = node.as_floating_point()) return value->get();
+    if (const auto* value = node.as_boolean()) return value->get();
     if (const auto* array = node.as_array()) {
       nlohmann::json json = nlohmann::json::array();
       for (const toml::node& item : *array)
         json.push_back(item.is_table() ? flat(*item.as_table()) : scalar(item));
       return json;
     }
-    fail(node.source(), "a rule holds numbers, texts and lists of them");
+    fail(node.source(), "a rule holds numbers, texts, true, false and lists of them");
   }
 
   nlohmann::json scalar(const toml::node& node) const {

@@ -41,4 +41,7 @@ Family family(std::span<const Tried> trials);
 /// The verdicts as a plain-text table for a terminal, and one line that sums them up.
 std::string verdict_table(std::span<const Tried> trials);
 
+/// What each claim states, what was expected, and the figures that its verdict rests on, line by line.
+std::string evidence(std::span<const Tried> trials);
+
 }  // namespace tribunal::reports

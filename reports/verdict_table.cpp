@@ -39,7 +39,8 @@ std::string summary(std::span<const Tried> trials) {
   for (std::size_t i = 0; i < counts.size(); ++i)
     if (counts[i] > 0) text += concat(" ", std::to_string(counts[i]), " ", verdict_names[i], ",");
   text.back() = ';';
-  text += surprises == 0 ? " all as expected."
+  const bool all_tried = counts[static_cast<std::size_t>(Verdict::untried)] == 0;
+  text += surprises == 0 ? concat(" all ", all_tried ? "" : "that were tried ", "as expected.")
                          : concat(" ", std::to_string(surprises), " not as expected, marked (!).");
   return concat(text,
                 " Expected false refutations: ", number_text(family(trials).expected_false_refutations, 2),
@@ -66,6 +67,16 @@ std::string verdict_table(std::span<const Tried> trials) {
     table += row + "\n";
   }
   return table + "\n" + summary(trials);
+}
+
+std::string evidence(std::span<const Tried> trials) {
+  std::string text;
+  for (const Tried& trial : trials) {
+    text += concat("\n", trial.claim.id, ": ", trial.claim.statement, "\n  expected ",
+                   to_string(trial.claim.expected), "; ", trial.claim.source, "\n");
+    for (const std::string& line : trial.judgement.lines) text += concat("  ", line, "\n");
+  }
+  return text;
 }
 
 }  // namespace tribunal::reports

@@ -52,6 +52,7 @@ set(tribunal_claims
     M2
     M3
     M4
+    M4-usual
     M5
     M6
     M7

@@ -89,6 +89,15 @@ TEST(Claims, AClaimIsTriedAndItsVerdictIsData) {
     EXPECT_TRUE(claim.contains(key)) << key;
 }
 
+/// Who names a claim wants to know what it rests on.
+TEST(Claims, ANamedOneComesWithItsEvidence) {
+  const auto ended = tribunal({"claims", "G1", "--progress", "none"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  for (const char* text :
+       {"All pairs of N sites are candidates", "expected reproduced", "edges / euler_edges: 1"})
+    EXPECT_NE(ended.out.find(text), std::string::npos) << text << ended.out;
+}
+
 TEST(Report, OnePageFromAFolderOfRows) {
   const Folder folder;
   const std::string plan = folder.write("plan.toml", plan_text), out = folder / "out",

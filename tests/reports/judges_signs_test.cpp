@@ -107,6 +107,28 @@ TEST(Counters, every_relation_must_hold) {
   EXPECT_EQ(verdict({{"counter", "wrong"}, {"least", 1}, {"most", 1}}), Verdict::refuted);
 }
 
+TEST(Counters, each_speaks_of_every_row) {
+  const std::vector rows{counted("a", 8, {{"wide", 6}, {"runs", 1}}),
+                         counted("b", 8, {{"wide", 4}, {"runs", 1}})};
+  const auto verdict = [&](nlohmann::json hold, bool each) {
+    hold.update({{"counter", "wide"}, {"per", "runs"}, {"each", each}});
+    return try_rule("counters", {{"hold", {std::move(hold)}}}, rows).verdict;
+  };
+  for (const nlohmann::json& hold : {nlohmann::json{{"most", 5}}, {{"least", 5}}, {{"equals", 5}}}) {
+    EXPECT_EQ(verdict(hold, false), Verdict::reproduced) << hold;
+    EXPECT_EQ(verdict(hold, true), Verdict::refuted) << hold;
+  }
+  EXPECT_EQ(verdict({{"least", 4}, {"most", 6}}, true), Verdict::reproduced);
+}
+
+TEST(Counters, what_rests_on_chance_says_how_often_it_errs) {
+  const std::vector rows{counted("a", 8, {{"deviation", 4}})};
+  nlohmann::json rule{{"hold", {{{"counter", "deviation"}, {"most", 5}}}}};
+  EXPECT_EQ(try_rule("counters", rule, rows).false_refutation, 0);
+  rule["false_refutation"] = 3e-5;
+  EXPECT_EQ(try_rule("counters", rule, rows).false_refutation, 3e-5);
+}
+
 TEST(Counters, selectors_choose_the_rows_that_are_summed) {
   const std::vector rows{counted("a", 8, {{"wrong", 2}}), counted("a", 9, {{"wrong", 3}}),
                          counted("b", 8, {{"wrong", 5}})};
