@@ -4,31 +4,70 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace tribunal::files {
 namespace {
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
 
 /// Names begin with a letter, '_' or a quotation mark; "nan" and "inf" are bad numbers, not names.
 bool is_name(std::string_view field) {
   if (field.empty()) return false;
   const auto first = static_cast<unsigned char>(field.front());
   if (std::isalpha(first) == 0 && first != '_' && first != '"') return false;
-  std::string lower(field);
-  std::ranges::transform(lower, lower.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string lower = lower_case(field);
   return !lower.starts_with("nan") && lower != "inf" && lower != "infinity";
 }
 
-/// Whether all fields of the current line are names; takes some or all of them.
-bool is_header(Scanner& scanner) {
-  bool names = true;
-  while (names && !scanner.at_end_of_line()) names = is_name(scanner.field("name"));
-  return names;
+/// A line of names, and where each stands.
+struct Header {
+  std::vector<std::string> names;
+  std::vector<Scanner::Place> places;
+};
+
+/// The current line, if all its fields are names; takes some or all of them.
+std::optional<Header> header(Scanner& scanner) {
+  Header header;
+  while (!scanner.at_end_of_line()) {
+    header.places.push_back(scanner.place());
+    const std::string_view field = scanner.field("name");
+    if (!is_name(field)) return std::nullopt;
+    header.names.push_back(lower_case(field));
+  }
+  return header;
+}
+
+/// Refuses names that say that x and y are not the first two columns.
+void require_order(const Scanner& scanner, const Header& header) {
+  for (const std::size_t column : {0, 1}) {
+    const char* name = column == 0 ? "x" : "y";
+    const auto found = std::ranges::find(header.names, name);
+    const auto at = static_cast<std::size_t>(found - header.names.begin());
+    if (found != header.names.end() && at != column)
+      scanner.refuse_at(header.places[at], std::string(name) + " is column " + std::to_string(at + 1) +
+                                               ", but is read from column " + std::to_string(column + 1));
+  }
 }
 
 PointFile read_points(Scanner& scanner) {
-  if (scanner.next_line() && !is_header(scanner)) scanner.unread_line();
-  return read_columns(scanner);
+  std::optional<Header> names;
+  if (scanner.next_line() && !(names = header(scanner))) scanner.unread_line();
+  if (!names) return read_columns(scanner);
+  require_order(scanner, *names);
+  PointFile file = read_columns(scanner);
+  const std::size_t columns = file.values.empty() ? 2 : 3;
+  if (names->names.size() != columns)
+    scanner.refuse_at(names->places[0], std::to_string(names->names.size()) + " names for " +
+                                            std::to_string(columns) + " columns");
+  return file;
 }
 
 std::string write_points(std::span<const Point2> points) {

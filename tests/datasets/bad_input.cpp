@@ -74,22 +74,28 @@ INSTANTIATE_TEST_SUITE_P(
          "a.xy:2:1: x is \"777777777777777777777777...\", outside the range of doubles"},
     }));
 
-INSTANTIATE_TEST_SUITE_P(Csv, BadPoints,
-                         ::testing::ValuesIn(std::vector<Case>{
-                             {"a.csv", "", "a.csv: no points"},
-                             {"a.csv", "x,y\n", "a.csv: no points"},
-                             {"a.csv", "nan,1\n", "a.csv:1:1: x is \"nan\", not finite"},
-                             {"a.csv", "inf,Infinity\n", "a.csv:1:1: x is \"inf\", not finite"},
-                             {"a.csv", "x,y\nx,y\n", "a.csv:2:1: x is \"x\", not a number"},
-                             {"a.csv", "x,2\n", "a.csv:1:1: x is \"x\", not a number"},
-                             {"a.csv", "1\n", "a.csv:1:2: y is missing"},
-                             {"a.csv", "1,\n", "a.csv:1:3: y is empty"},
-                             {"a.csv", "1,2\n , 4\n", "a.csv:2:1: x is empty"},
-                             {"a.csv", "1;2\n", "a.csv:1:1: x is \"1;2\", not a number"},
-                             {"a.csv", "1, two\n", "a.csv:1:4: y is \"two\", not a number"},
-                             {"a.csv", "1,2,3\n4,5\n", "a.csv:2:4: 2 columns, but 3 in line 1"},
-                             {"a.csv", "1,2,3,4\n", "a.csv:1:7: \"4\" follows the last column"},
-                         }));
+INSTANTIATE_TEST_SUITE_P(
+    Csv, BadPoints,
+    ::testing::ValuesIn(std::vector<Case>{
+        {"a.csv", "", "a.csv: no points"},
+        {"a.csv", "x,y\n", "a.csv: no points"},
+        {"a.csv", "nan,1\n", "a.csv:1:1: x is \"nan\", not finite"},
+        {"a.csv", "inf,Infinity\n", "a.csv:1:1: x is \"inf\", not finite"},
+        {"a.csv", "id,x,y\n1,2,3\n", "a.csv:1:4: x is column 2, but is read from column 1"},
+        {"a.csv", "Y,X\n1,2\n", "a.csv:1:3: x is column 2, but is read from column 1"},
+        {"a.csv", "x,z,y\n1,2,3\n", "a.csv:1:5: y is column 3, but is read from column 2"},
+        {"a.csv", "x,y\n1,2,3\n", "a.csv:1:1: 2 names for 3 columns"},
+        {"a.csv", "lon,lat,depth\n1,2\n", "a.csv:1:1: 3 names for 2 columns"},
+        {"a.csv", "x,y\nx,y\n", "a.csv:2:1: x is \"x\", not a number"},
+        {"a.csv", "x,2\n", "a.csv:1:1: x is \"x\", not a number"},
+        {"a.csv", "1\n", "a.csv:1:2: y is missing"},
+        {"a.csv", "1,\n", "a.csv:1:3: y is empty"},
+        {"a.csv", "1,2\n , 4\n", "a.csv:2:1: x is empty"},
+        {"a.csv", "1;2\n", "a.csv:1:1: x is \"1;2\", not a number"},
+        {"a.csv", "1, two\n", "a.csv:1:4: y is \"two\", not a number"},
+        {"a.csv", "1,2,3\n4,5\n", "a.csv:2:4: 2 columns, but 3 in line 1"},
+        {"a.csv", "1,2,3,4\n", "a.csv:1:7: \"4\" follows the last column"},
+    }));
 
 INSTANTIATE_TEST_SUITE_P(
     Node, BadPoints,
