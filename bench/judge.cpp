@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 namespace tribunal::bench {
 namespace {
@@ -40,7 +41,9 @@ Judgement judgement_of(const verify::Verdict& verdict) {
   Judgement judgement{outcome_of(verdict.faults), {}, verdict.ties};
   if (verdict.valid()) return judgement;
   const Fault& first = verdict.faults.front();
-  judgement.reason = std::string(verify::to_string(first.kind)) + ": " + first.detail;
+  const std::string_view kind = verify::to_string(first.kind);
+  judgement.reason =
+      kind == to_string(judgement.outcome) ? first.detail : std::string(kind) + ": " + first.detail;
   return judgement;
 }
 

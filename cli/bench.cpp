@@ -18,6 +18,8 @@
 #include <algorithm>
 #include <optional>
 #include <ostream>
+#include <string>
+#include <utility>
 
 namespace tribunal::cli {
 namespace {
@@ -54,6 +56,21 @@ std::vector<bench::Subject> chosen_subjects(const std::vector<std::string>& name
   return chosen;
 }
 
+/// Refuses options of the other half: who gives one expects it to count.
+void refuse_what_is_not_asked(const BenchOptions& o) {
+  const bool algorithms = o.what == "algorithms";
+  const std::pair<const char*, bool> others[] = {{"--predicate", algorithms && !o.predicates.empty()},
+                                                 {"--family", algorithms && !o.families.empty()},
+                                                 {"--algorithm", !algorithms && !o.algorithms.empty()},
+                                                 {"--set", !algorithms && !o.settings.empty()},
+                                                 {"--order", !algorithms && !o.orders.empty()},
+                                                 {"--dataset", !algorithms && !o.datasets.empty()},
+                                                 {"-n", !algorithms && o.n != 0}};
+  for (const auto& [name, given] : others)
+    if (given)
+      throw BadUsage(std::string(name) + " goes with bench " + (algorithms ? "predicates" : "algorithms"));
+}
+
 /// The modules of peers with predicates, under printable names that nobody else has.
 void add_peers(bench::PredicateBenchOptions& plan, Console& console) {
   const auto peers = built_peers();
@@ -74,9 +91,10 @@ void add_peers(bench::PredicateBenchOptions& plan, Console& console) {
 }  // namespace
 
 int bench(const BenchOptions& options, Console& console) try {
-  if (options.what == "algorithms") return bench_algorithms(options, console);
-  if (options.what != "predicates")
+  if (options.what != "predicates" && options.what != "algorithms")
     throw BadUsage("bench what? predicates or algorithms, not '" + options.what + "'");
+  refuse_what_is_not_asked(options);
+  if (options.what == "algorithms") return bench_algorithms(options, console);
   bench::PredicateBenchOptions plan;
   plan.subjects = chosen_subjects(options.backends);
   plan.predicates = chosen_predicates(options.predicates);

@@ -1,6 +1,7 @@
 // tribunal list: what is here.
 #include "algorithms/list.hpp"
 
+#include "algorithms/refinement/refiners.hpp"
 #include "bench/outsider/probe.hpp"
 #include "cli/peers.hpp"
 #include "cli/verbs.hpp"
@@ -28,18 +29,23 @@ json parameter_json(const Parameter& parameter) {
   return entry;
 }
 
+/// Of anything with a name, what it cites, a summary and parameters.
+template <class About>
+json algorithm_json(const About& about, int dimension, const char* verb,
+                    std::span<const Parameter> parameters) {
+  json listed = json::array();
+  for (const Parameter& parameter : parameters) listed.push_back(parameter_json(parameter));
+  return {{"name", about.name},       {"verb", verb},        {"dimension", dimension}, {"cites", about.cites},
+          {"summary", about.summary}, {"parameters", listed}};
+}
+
 json list_algorithms() {
   json all = json::array();
-  for (const PlanarAlgorithm& algorithm : planar_algorithms()) {
-    const AlgorithmAbout& about = algorithm.about;
-    json listed = json::array();
-    for (const Parameter& parameter : algorithm.parameters) listed.push_back(parameter_json(parameter));
-    all.push_back({{"name", about.name},
-                   {"dimension", about.dimension},
-                   {"cites", about.cites},
-                   {"summary", about.summary},
-                   {"parameters", listed}});
-  }
+  for (const PlanarAlgorithm& algorithm : planar_algorithms())
+    all.push_back(
+        algorithm_json(algorithm.about, algorithm.about.dimension, "triangulate", algorithm.parameters));
+  for (const refinement::Refiner& refiner : refinement::refiners())
+    all.push_back(algorithm_json(refiner, 2, "refine", refiner.parameters));
   return all;
 }
 
@@ -160,7 +166,7 @@ int list(const ListOptions& options, Console& console) {
     std::string note = {};  ///< below the table
   };
   const Listing listings[] = {
-      {"algorithms", list_algorithms, {"name", "dimension", "cites", "summary"}},
+      {"algorithms", list_algorithms, {"name", "verb", "cites", "summary"}},
       {"backends",
        list_backends,
        {"name", "exact", "domain", "summary"},

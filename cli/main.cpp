@@ -49,7 +49,8 @@ class CommandLine {
   }
 
   void parse(std::vector<std::string> words) {
-    if (!words.empty() && !words[0].starts_with('-') && !has_verb(words[0]))
+    if (words.empty()) throw BadUsage("a verb is missing; see tribunal --help");
+    if (!words[0].starts_with('-') && !has_verb(words[0]))
       throw BadUsage("there is no verb '" + words[0] + "'; see tribunal --help");
     std::reverse(words.begin(), words.end());  // as CLI11 wants them
     app.parse(words);
@@ -123,7 +124,7 @@ class CommandLine {
   }
   static void add_picture(CLI::App* verb, PictureOptions& o, const char* colours) {
     verb->add_option("--picture", o.file, "picture of the mesh: .svg or .png");
-    verb->add_option("--colour", o.colour, std::string("of its triangles: ") + colours)
+    verb->add_option("--colour,--color", o.colour, std::string("of its triangles: ") + colours)
         ->capture_default_str();
     verb->add_option("--window", o.window, "show x0,y0,x1,y1 only");
   }
@@ -194,7 +195,7 @@ class CommandLine {
   void add_refine() {
     auto& o = refine_options;
     auto* verb = add_verb("refine", "mesh what a boundary encloses, with points of its own",
-                          "tribunal refine gulf.poly --set angle=30 --set size=500 -o gulf.ele", o,
+                          "tribunal refine gulf.poly --set angle=30 --set size=500 -o mesh.ele", o,
                           tribunal::cli::refine);
     verb->add_option("boundary", o.boundary, "segments and holes: .poly, .geojson or .wkt")->required();
     verb->add_option("--algorithm", o.algorithm, "chew, stretched or adaptive")->capture_default_str();

@@ -36,6 +36,13 @@ void require_place(const fs::path& file) {
   if (fs::is_directory(file, none)) throw BadUsage(file.string() + ": is a folder");
 }
 
+/// A mesh of several files may meet an input by one that nobody named.
+std::string would_overwrite(const fs::path& file, const Outputs& outputs, const fs::path& input) {
+  const bool beside = file != outputs.mesh && file != outputs.stats && file != outputs.picture;
+  return file.string() + (beside ? ", which goes beside " + outputs.mesh + "," : "") +
+         " would overwrite the input " + input.string();
+}
+
 }  // namespace
 
 void check_outputs(const Outputs& outputs, const Console& console) {
@@ -47,7 +54,7 @@ void check_outputs(const Outputs& outputs, const Console& console) {
   for (const fs::path& file : written) {
     require_place(file);
     for (const fs::path& input : files_read(outputs.inputs))
-      if (fs::equivalent(file, input, none)) throw BadUsage(file.string() + " would overwrite its own input");
+      if (fs::equivalent(file, input, none)) throw BadUsage(would_overwrite(file, outputs, input));
   }
   std::vector<fs::path> places;
   places.reserve(written.size());

@@ -1,12 +1,14 @@
 #include "cli/statistics.hpp"
 
 #include "datasets/files/text.hpp"
+#include "reports/text.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace tribunal::cli {
 
 std::string plain_text(const nlohmann::json& value) {
+  if (value.is_number_float()) return reports::number_text(value.get<double>());
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 

@@ -13,7 +13,7 @@ namespace tribunal::cli {
 
 using TableRows = std::vector<std::vector<std::string>>;
 
-/// A value as it stands in a table: strings without their quotes.
+/// A value as it stands in a table: strings without their quotes, numbers to six digits.
 std::string plain_text(const nlohmann::json& value);
 
 /// Rows "key value" of those keys of an object, in that order.

@@ -58,8 +58,10 @@ struct Input {
 };
 
 void check_request(const TriangulateOptions& options, const Console& console) {
-  if (options.n != 0 && !names_dataset(options))
+  if (options.n != 0 && !names_dataset(options)) {
+    if (options.points != "-" && !fs::exists(options.points)) dataset_named(options.points);
     throw BadUsage("-n goes with a dataset's name, not with a file");
+  }
   check_picture(options.picture);
   check_outputs({.inputs = {options.points},
                  .mesh = options.mesh,

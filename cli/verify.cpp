@@ -7,12 +7,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <ostream>
+#include <span>
 
 namespace tribunal::cli {
 
 namespace {
 using tribunal::verify::Kind;
+
+constexpr std::size_t max_faults = 100;
 
 PslgFile graph_of(const VerifyOptions& options) {
   auto file = read_pslg(options.points);
@@ -22,7 +26,7 @@ PslgFile graph_of(const VerifyOptions& options) {
 }
 
 tribunal::verify::Verdict check_constrained(const VerifyOptions& options, const PslgFile& file,
-                                            const MeshFile& mesh, std::size_t max_faults) {
+                                            const MeshFile& mesh) {
   const Domain domain = domain_named(options.domain, file);
   return tribunal::verify::verify_constrained(
       file.sites.points, {mesh.triangles},
@@ -30,10 +34,23 @@ tribunal::verify::Verdict check_constrained(const VerifyOptions& options, const 
       {.kind = options.criterion == "none" ? Kind::triangulation : Kind::delaunay, .max_faults = max_faults});
 }
 
+/// The first few; a document holds them all.
+void print_faults(Console& console, std::span<const tribunal::verify::Fault> faults) {
+  constexpr std::size_t most_printed = 10;
+  console.out << "invalid: " << faults.size() << (faults.size() == max_faults ? "+" : "") << " faults\n";
+  for (const auto& fault : faults.first(std::min(faults.size(), most_printed)))
+    console.out << tribunal::verify::to_string(fault.kind) << ": " << fault.detail << '\n';
+  if (faults.size() > most_printed)
+    console.log << faults.size() - most_printed << " more are in the document of --json\n";
+}
+
+bool is_of_circles(const tribunal::verify::Fault& fault) {
+  return fault.kind == tribunal::verify::FaultKind::non_delaunay;
+}
+
 }  // namespace
 
 int verify(const VerifyOptions& options, Console& console) {
-  constexpr std::size_t max_faults = 100;
   const bool constrained = options.kind == "constrained";
   if (!constrained && options.kind != "delaunay" && options.kind != "triangulation")
     throw BadUsage("--kind " + options.kind + ": delaunay, triangulation or constrained");
@@ -50,7 +67,7 @@ int verify(const VerifyOptions& options, Console& console) {
   const PointFile& points = file.sites;
   const MeshFile mesh = read_mesh_over(options.points, points, options.mesh);
   const auto verdict =
-      constrained ? check_constrained(options, file, mesh, max_faults)
+      constrained ? check_constrained(options, file, mesh)
                   : tribunal::verify::verify_planar(
                         points.points, {mesh.triangles},
                         {options.kind == "delaunay" ? Kind::delaunay : Kind::triangulation, max_faults});
@@ -74,10 +91,9 @@ int verify(const VerifyOptions& options, Console& console) {
     console.out << "valid: " << mesh.triangles.size() << " triangles over " << verdict.sites << " sites, "
                 << verdict.hull << " on the hull\n";
   } else {
-    console.out << "invalid: " << verdict.faults.size() << (verdict.faults.size() == max_faults ? "+" : "")
-                << " faults\n";
-    for (const auto& fault : verdict.faults)
-      console.out << tribunal::verify::to_string(fault.kind) << ": " << fault.detail << '\n';
+    print_faults(console, verdict.faults);
+    if (options.kind == "delaunay" && std::ranges::all_of(verdict.faults, is_of_circles))
+      console.log << "a triangulation it is: --kind triangulation asks for no more\n";
   }
   return verdict.valid() ? good : judged_bad;
 }

@@ -82,5 +82,14 @@ TEST(Refine, PolygonsThatBoundNothing) {
   }
 }
 
+TEST(Refine, AnInputIsNotOverwrittenByAFileThatGoesBesideTheMesh) {
+  const Folder folder;
+  const std::string boundary = folder / "gulf.poly";
+  ASSERT_EQ(tribunal({"points", "gulf", "-o", boundary}).status, 0);
+  const Ended ended = tribunal({"refine", boundary, "-o", folder / "gulf.ele"});
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_NE(ended.err.find("gulf.node, which goes beside"), std::string::npos) << ended.err;
+}
+
 }  // namespace
 }  // namespace tribunal::cli

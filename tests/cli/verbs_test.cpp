@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace tribunal::cli {
@@ -54,6 +55,11 @@ TEST(Usage, MistakesAreToldInOneLineWithStatusTwo) {
       {"run", "plan.toml"},
       {"report", "/nonexistent"},
       {"cell", "{"},
+      {"bench", "predicates", "--dataset", "uniform"},
+      {"bench", "predicates", "-n", "7"},
+      {"bench", "algorithms", "--family", "uni"},
+      {"triangulate", "unifrom", "-n", "10"},
+      {},
       {"cell", "{\"task\":\"magic\"}"},
   };
   for (const auto& words : mistakes) {
@@ -64,6 +70,15 @@ TEST(Usage, MistakesAreToldInOneLineWithStatusTwo) {
     EXPECT_TRUE(ended.one_line_error()) << line << "\n" << ended.err;
     EXPECT_TRUE(ended.out.empty()) << line;
   }
+}
+
+TEST(List, AlgorithmsNameTheirVerb) {
+  std::map<std::string, std::string> verbs;
+  for (const nlohmann::json document = tribunal({"list", "algorithms", "--json"}).json();
+       const auto& algorithm : document.at("algorithms"))
+    verbs[algorithm.at("name")] = algorithm.at("verb");
+  EXPECT_EQ(verbs.at("bowyer"), "triangulate");
+  for (const char* refiner : {"chew", "stretched", "adaptive"}) EXPECT_EQ(verbs.at(refiner), "refine");
 }
 
 TEST(List, EverythingHasANameAndASummary) {
