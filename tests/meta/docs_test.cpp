@@ -128,7 +128,7 @@ TEST(Docs, ParametersAreTold) {
   const std::array all{
       Parameters{"algorithms/constrained/parameters.hpp", "docs/constrained.md", true},
       Parameters{"algorithms/data_dependent/parameters.hpp", "docs/data-dependent.md", true},
-      Parameters{"algorithms/flips/parameters.hpp", "docs/flips.md", false},
+      Parameters{"algorithms/flips/parameters.hpp", "docs/flips.md", true},
       Parameters{"algorithms/planar/green_sibson.cpp", "docs/algorithms.md", false},
       Parameters{"algorithms/planar/green_sibson_minmax.cpp", "docs/flips.md", false},
       Parameters{"algorithms/planar/greedy_naive.cpp", "docs/greedy.md", false},
