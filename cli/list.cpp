@@ -1,7 +1,7 @@
 // tribunal list: what is here.
 #include "algorithms/list.hpp"
 
-#include "algorithms/refinement/refiners.hpp"
+#include "algorithms/refiners.hpp"
 #include "bench/outsider/probe.hpp"
 #include "cli/peers.hpp"
 #include "cli/verbs.hpp"

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "algorithms/algorithm.hpp"
-#include "algorithms/flips/optimizers.hpp"
-#include "algorithms/refinement/refiners.hpp"
+#include "algorithms/optimizers.hpp"
+#include "algorithms/refiners.hpp"
 #include "datasets/dataset.hpp"
 #include "datasets/queries/queries.hpp"
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 #include "predicates/predicate.hpp"
 
 #include <cstdint>

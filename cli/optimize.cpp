@@ -1,8 +1,8 @@
 // tribunal optimize: a user's mesh, made better.
 #include "algorithms/abandon.hpp"
 #include "algorithms/flips/angles.hpp"
-#include "algorithms/flips/optimizers.hpp"
 #include "algorithms/mesh/canonical.hpp"
+#include "algorithms/optimizers.hpp"
 #include "algorithms/verify/verify.hpp"
 #include "bench/judge.hpp"
 #include "bench/measure.hpp"

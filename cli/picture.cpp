@@ -5,7 +5,7 @@
 #include "cli/console.hpp"
 #include "cli/mesh_input.hpp"
 #include "cli/numbers.hpp"
-#include "datasets/files/picture.hpp"
+#include "datasets/pictures/picture.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // tribunal refine: a user's boundary to a mesh with Steiner points.
 #include "algorithms/constrained/polygons.hpp"
 #include "algorithms/mesh/canonical.hpp"
-#include "algorithms/refinement/refiners.hpp"
 #include "algorithms/refinement/shape.hpp"
+#include "algorithms/refiners.hpp"
 #include "algorithms/verify/verify.hpp"
 #include "bench/measure.hpp"
 #include "cli/graph_input.hpp"
@@ -11,7 +11,7 @@
 #include "cli/predicate_counts.hpp"
 #include "cli/statistics.hpp"
 #include "cli/verbs.hpp"
-#include "datasets/files/picture.hpp"
+#include "datasets/pictures/picture.hpp"
 #include "predicates/counted.hpp"
 
 #include <nlohmann/json.hpp>

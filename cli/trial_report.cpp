@@ -2,8 +2,8 @@
 
 #include "bench/fuzz/hex_float.hpp"
 #include "datasets/files/files.hpp"
-#include "datasets/files/picture.hpp"
 #include "datasets/files/text.hpp"
+#include "datasets/pictures/picture.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 #include "algorithms/constrained/mesh.hpp"
 
+#include "algorithms/insertion/conflict.hpp"
+#include "algorithms/insertion/first_triangle.hpp"
 #include "algorithms/location/walk.hpp"
-#include "algorithms/planar/conflict.hpp"
-#include "algorithms/planar/first_triangle.hpp"
 
 #include <cassert>
 

@@ -4,7 +4,7 @@
 #include "algorithms/flips/flip_engine.hpp"
 #include "algorithms/flips/halves.hpp"
 #include "algorithms/flips/start.hpp"
-#include "algorithms/planar/renumbered.hpp"
+#include "algorithms/renumbered.hpp"
 
 #include <cstdint>
 

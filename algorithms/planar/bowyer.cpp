@@ -1,11 +1,11 @@
 // Bowyer's insertion (1981): walk to one conflicting triangle, flood the connected cavity, star it from the
 // new site. With adjacency: O(n) retriangulation and O(n^{3/2}) walking expected in random order.
 #include "algorithms/abandon.hpp"
+#include "algorithms/insertion/collect.hpp"
+#include "algorithms/insertion/conflict.hpp"
+#include "algorithms/insertion/first_triangle.hpp"
 #include "algorithms/location/walk.hpp"
 #include "algorithms/mesh/planar_mesh.hpp"
-#include "algorithms/planar/collect.hpp"
-#include "algorithms/planar/conflict.hpp"
-#include "algorithms/planar/first_triangle.hpp"
 #include "algorithms/planar/listed.hpp"
 
 #include <vector>

@@ -3,7 +3,7 @@
 // triangulate_graph.
 #include "algorithms/constrained/mesh.hpp"
 #include "algorithms/constrained/parameters.hpp"
-#include "algorithms/planar/collect.hpp"
+#include "algorithms/insertion/collect.hpp"
 #include "algorithms/planar/listed.hpp"
 
 namespace tribunal {

@@ -3,16 +3,16 @@
 // expected O(n log n) for a random order; by walking from the last site in O(n) or so where the order follows
 // a space-filling curve; by jumping and walking in expected O(n^{4/3}) for uniform sites in random order.
 #include "algorithms/abandon.hpp"
+#include "algorithms/insertion/collect.hpp"
+#include "algorithms/insertion/conflict.hpp"
+#include "algorithms/insertion/first_triangle.hpp"
 #include "algorithms/location/history_dag.hpp"
 #include "algorithms/location/jump.hpp"
 #include "algorithms/location/walk.hpp"
 #include "algorithms/mesh/planar_mesh.hpp"
 #include "algorithms/mesh/splits.hpp"
-#include "algorithms/planar/collect.hpp"
-#include "algorithms/planar/conflict.hpp"
-#include "algorithms/planar/first_triangle.hpp"
 #include "algorithms/planar/listed.hpp"
-#include "algorithms/planar/renumbered.hpp"
+#include "algorithms/renumbered.hpp"
 
 #include <algorithm>
 #include <array>

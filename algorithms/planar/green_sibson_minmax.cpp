@@ -3,11 +3,11 @@
 // no flip makes the largest of six angles smaller. The result is locally optimal at every step.
 #include "algorithms/abandon.hpp"
 #include "algorithms/flips/min_max_criterion.hpp"
+#include "algorithms/insertion/collect.hpp"
+#include "algorithms/insertion/conflict.hpp"
+#include "algorithms/insertion/first_triangle.hpp"
 #include "algorithms/location/stochastic_walk.hpp"
 #include "algorithms/mesh/splits.hpp"
-#include "algorithms/planar/collect.hpp"
-#include "algorithms/planar/conflict.hpp"
-#include "algorithms/planar/first_triangle.hpp"
 #include "algorithms/planar/listed.hpp"
 
 #include <array>

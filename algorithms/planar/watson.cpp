@@ -3,10 +3,10 @@
 // still to come is retired, so that x order scans O(sqrt n) circles per site on uniform data; random order
 // scans nearly all, O(n^2).
 #include "algorithms/abandon.hpp"
-#include "algorithms/planar/circle_extent.hpp"
-#include "algorithms/planar/collect.hpp"
-#include "algorithms/planar/conflict.hpp"
-#include "algorithms/planar/first_triangle.hpp"
+#include "algorithms/insertion/circle_extent.hpp"
+#include "algorithms/insertion/collect.hpp"
+#include "algorithms/insertion/conflict.hpp"
+#include "algorithms/insertion/first_triangle.hpp"
 #include "algorithms/planar/listed.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "algorithms/refinement/adaptive.hpp"
 #include "algorithms/refinement/chew_parameters.hpp"
-#include "algorithms/refinement/refiners.hpp"
+#include "algorithms/refiners.hpp"
 
 #include <array>
 #include <memory>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bench/fuzz/case.hpp"
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 #include "predicates/decision.hpp"
 #include "predicates/kernel.hpp"
 

@@ -4,7 +4,7 @@
 #include "algorithms/constrained/parameters.hpp"
 #include "algorithms/list.hpp"
 #include "algorithms/refinement/chew_parameters.hpp"
-#include "algorithms/refinement/refiners.hpp"
+#include "algorithms/refiners.hpp"
 #include "algorithms/triangulate.hpp"
 #include "bench/input.hpp"
 #include "bench/measure.hpp"

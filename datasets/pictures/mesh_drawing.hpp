@@ -1,8 +1,8 @@
 // A triangulation as a drawing.
 #pragma once
 
-#include "datasets/files/picture.hpp"
 #include "datasets/pictures/drawing.hpp"
+#include "datasets/pictures/picture.hpp"
 
 namespace tribunal::pictures {
 

@@ -5,7 +5,7 @@
 #include "predicates/arithmetic/dyadic.hpp"
 #include "predicates/arithmetic/expansion.hpp"
 #include "predicates/arithmetic/exponent_window.hpp"
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 #include "predicates/backends/exact_sign.hpp"
 #include "predicates/domain.hpp"
 #include "predicates/filters/dynamic.hpp"

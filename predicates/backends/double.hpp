@@ -1,7 +1,7 @@
 // Backend `double`: the determinant as written, in rounded arithmetic. It exists to be compared with.
 #pragma once
 
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 #include "predicates/domain.hpp"
 
 namespace tribunal {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "predicates/arithmetic/fused.hpp"
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 #include "predicates/domain.hpp"
 
 namespace tribunal {

@@ -2,7 +2,7 @@
 // lattice, pairs of doubles and wider integers where they are not, GMP last.
 #pragma once
 
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 #include "predicates/backends/exact_sign.hpp"
 #include "predicates/backends/integer_sign.hpp"
 #include "predicates/backends/window_sign.hpp"

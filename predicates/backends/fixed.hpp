@@ -3,7 +3,7 @@
 
 #include "predicates/arithmetic/dyadic.hpp"
 #include "predicates/arithmetic/exponent_window.hpp"
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 #include "predicates/backends/integer_sign.hpp"
 #include "predicates/domain.hpp"
 

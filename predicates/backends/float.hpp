@@ -1,7 +1,7 @@
 // Backend `float`: the determinant in single precision. It exists to be compared with.
 #pragma once
 
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 #include "predicates/domain.hpp"
 
 namespace tribunal {

@@ -2,7 +2,7 @@
 // straight-line.
 #pragma once
 
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 #include "predicates/backends/integer_sign.hpp"
 #include "predicates/filters/sign_beyond.hpp"
 #include "predicates/filters/static.hpp"

@@ -1,7 +1,7 @@
 // Backend `gmp`: every sign by integers of unbounded size.
 #pragma once
 
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 #include "predicates/backends/exact_sign.hpp"
 #include "predicates/domain.hpp"
 

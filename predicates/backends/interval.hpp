@@ -2,7 +2,7 @@
 #pragma once
 
 #include "predicates/arithmetic/interval.hpp"
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 #include "predicates/backends/exact_sign.hpp"
 #include "predicates/domain.hpp"
 

@@ -1,7 +1,7 @@
 // Backend `knuth`: exact signs in 32-bit words, by redundant integers.
 #pragma once
 
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 #include "predicates/backends/knuth_box.hpp"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Backend `knuth64`: exact signs in 64-bit words, by redundant integers.
 #pragma once
 
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 #include "predicates/backends/knuth_box.hpp"
 
 #include <cstdint>

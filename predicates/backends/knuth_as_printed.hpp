@@ -2,7 +2,7 @@
 #pragma once
 
 #include "predicates/arithmetic/redundant_as_printed.hpp"
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 #include "predicates/backends/knuth_terms.hpp"
 #include "predicates/integer_box.hpp"
 

@@ -1,7 +1,7 @@
 // The backends there are.
 #pragma once
 
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 
 #include <span>
 #include <string_view>

@@ -2,7 +2,7 @@
 // with.
 #pragma once
 
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 #include "predicates/domain.hpp"
 
 namespace tribunal {

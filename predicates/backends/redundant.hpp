@@ -3,7 +3,7 @@
 #pragma once
 
 #include "predicates/arithmetic/redundant_number.hpp"
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 #include "predicates/lattice.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "predicates/plugin/loader.hpp"
 
-#include "predicates/backends/certified.hpp"
+#include "predicates/certified.hpp"
 #include "predicates/domain.hpp"
 #include "predicates/formulas/compare_length.hpp"
 

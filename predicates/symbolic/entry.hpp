@@ -1,7 +1,7 @@
 // The `+sos` entry of an exact backend, derived from the backend's own.
 #pragma once
 
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 #include "predicates/symbolic/tie_breaking.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "bench/whole/race.hpp"
 
 #include "algorithms/list.hpp"
-#include "algorithms/refinement/refiners.hpp"
+#include "algorithms/refiners.hpp"
 #include "bench/whole/goals.hpp"
 #include "predicates/backends/list.hpp"
 #include "tests/bench/support.hpp"

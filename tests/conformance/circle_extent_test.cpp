@@ -1,5 +1,5 @@
 // The bound by which Watson's list retires circles lies right of the circle, never left of it.
-#include "algorithms/planar/circle_extent.hpp"
+#include "algorithms/insertion/circle_extent.hpp"
 
 #include "datasets/random.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "bench/fuzz/hunt.hpp"
 #include "bench/fuzz/subject.hpp"
-#include "predicates/backends/backend.hpp"
+#include "predicates/backend.hpp"
 #include "predicates/backends/list.hpp"
 #include "predicates/domain.hpp"
 

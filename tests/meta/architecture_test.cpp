@@ -44,6 +44,40 @@ TEST(Architecture, ArrowsRunDownwards) {
   }
 }
 
+/// A room's folder, and those that its files include; not those inside it or around it: a list at the top of
+/// a room names what stands in it.
+std::map<std::string, std::set<std::string>> arrows_between_rooms() {
+  std::map<std::string, std::set<std::string>> arrows;
+  const auto folder = [](const std::string& path) { return path.substr(0, path.rfind('/')); };
+  const auto holds = [](const std::string& outer, const std::string& inner) {
+    return inner == outer || inner.rfind(outer + "/", 0) == 0;
+  };
+  for (const std::string room : rooms)
+    for (const Source& source : sources_of(room))
+      for (const std::string& include : source.includes) {
+        const std::string from = folder(source.path), to = folder(include);
+        if (!is_example(source) && !holds(from, to) && !holds(to, from)) arrows[from].insert(to);
+      }
+  return arrows;
+}
+
+/// Rooms that include no other are put aside, and so on; circles are left.
+TEST(Architecture, RoomsFormNoCircles) {
+  auto arrows = arrows_between_rooms();
+  ASSERT_GE(arrows.size(), 15U);
+  for (bool less = true; less;) {
+    less = false;
+    for (auto& [from, to] : arrows)
+      less |= std::erase_if(to, [&](const std::string& room) {
+                const auto found = arrows.find(room);
+                return found == arrows.end() || found->second.empty();
+              }) > 0;
+  }
+  for (const auto& [from, to] : arrows)
+    for (const std::string& room : to)
+      ADD_FAILURE() << from << " -> " << room << " is part of a circle or leads to one";
+}
+
 TEST(Architecture, TheCheckerSharesNoCodeWithWhatItChecks) {
   for (const Source& source : sources_of("algorithms/verify"))
     for (const std::string& include : source.includes)

@@ -67,8 +67,7 @@ TEST(Docs, OtherNamesStandOnTheirPages) {
     std::string suffix;
   };
   const std::array all{
-      Names{"algorithms/refinement/refiners.cpp", "Refiner\\{\\.name = \"([^\"]+)\"", "docs/algorithms.md",
-            ""},
+      Names{"algorithms/refiners.cpp", "Refiner\\{\\.name = \"([^\"]+)\"", "docs/algorithms.md", ""},
       Names{"datasets/external/gulf_shores.cpp", "\\.name = \"([^\"]+)\"", "docs/datasets.md", ""},
       Names{"algorithms/peers/list.def", "\nPEER\\((\\w+)\\)", "docs/plugins.md", ".so"},
   };

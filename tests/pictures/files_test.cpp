@@ -1,9 +1,9 @@
 // Laws of the files: a picture's pixels and paths are where the mesh is.
 #include "datasets/files/files.hpp"
 
-#include "datasets/files/picture.hpp"
 #include "datasets/pictures/mesh_drawing.hpp"
 #include "datasets/pictures/palette.hpp"
+#include "datasets/pictures/picture.hpp"
 
 #include <gtest/gtest.h>
 #include <png.h>

@@ -1,4 +1,4 @@
-#include "datasets/files/picture.hpp"
+#include "datasets/pictures/picture.hpp"
 
 #include "datasets/files/files.hpp"
 #include "datasets/files/text.hpp"

@@ -1,4 +1,4 @@
-#include "algorithms/refinement/refiners.hpp"
+#include "algorithms/refiners.hpp"
 
 #include "algorithms/constrained/graph_mesh.hpp"
 #include "algorithms/refinement/adaptive_parameters.hpp"

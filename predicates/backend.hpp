@@ -1,7 +1,7 @@
 // What a backend is: an arithmetic plus a way to evaluate a formula's sign with it.
 #pragma once
 
-#include "predicates/backends/certified.hpp"
+#include "predicates/certified.hpp"
 #include "predicates/decision.hpp"
 #include "predicates/formulas/compare_angle.hpp"
 #include "predicates/formulas/compare_length.hpp"

@@ -1,4 +1,4 @@
-#include "algorithms/planar/circle_extent.hpp"
+#include "algorithms/insertion/circle_extent.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "algorithms/flips/optimizers.hpp"
+#include "algorithms/optimizers.hpp"
 
 #include "algorithms/data_dependent/optimize.hpp"
 #include "algorithms/data_dependent/parameters.hpp"
