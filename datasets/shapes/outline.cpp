@@ -30,11 +30,52 @@ double squared_distance(const Point2& p, const Point2& a, const Point2& b) {
   return dx * dx + dy * dy;
 }
 
+/// A run of an outline's sides, closed at the first vertex of the next run, and the box around it.
+struct Run {
+  std::size_t first, last;
+  Point2 low, high;
+};
+
+std::vector<Run> runs_of(const Outline& outline) {
+  constexpr std::size_t length = 64;
+  std::vector<Run> runs;
+  for (std::size_t first = 0; first < outline.size(); first += length) {
+    Run run{first, std::min(first + length, outline.size()), outline[first], outline[first]};
+    for (std::size_t i = first; i <= run.last; ++i)
+      for (const std::size_t axis : {0, 1}) {
+        const double c = outline[i % outline.size()][axis];
+        run.low[axis] = std::min(run.low[axis], c);
+        run.high[axis] = std::max(run.high[axis], c);
+      }
+    runs.push_back(run);
+  }
+  return runs;
+}
+
+/// Of the boxes of two runs; a little less, so that rounding does not hide the pair that comes nearest.
+double least_squared_distance(const Run& a, const Run& b) {
+  double sum = 0;
+  for (const std::size_t axis : {0, 1}) {
+    const double apart = std::max({0.0, a.low[axis] - b.high[axis], b.low[axis] - a.high[axis]});
+    sum += apart * apart;
+  }
+  return sum * (1 - 0x1p-20);
+}
+
 double squared_distance(const Outline& points, const Outline& sides) {
-  double least = squared_distance(points[0], sides.back(), sides[0]);
-  for (const Point2& p : points)
-    for (std::size_t i = 0; i < sides.size(); ++i)
-      least = std::min(least, squared_distance(p, sides[i], sides[(i + 1) % sides.size()]));
+  const std::vector<Run> of_points = runs_of(points), of_sides = runs_of(sides);
+  const auto side = [&](const Point2& p, std::size_t i) {
+    return squared_distance(p, sides[i], sides[(i + 1) % sides.size()]);
+  };
+  double least = side(points[0], sides.size() - 1);
+  for (const Run& p : of_points)
+    for (const Run& s : of_sides) least = std::min(least, side(points[p.first], s.first));
+  for (const Run& p : of_points)
+    for (const Run& s : of_sides) {
+      if (least_squared_distance(p, s) > least) continue;
+      for (std::size_t i = p.first; i < p.last; ++i)
+        for (std::size_t j = s.first; j < s.last; ++j) least = std::min(least, side(points[i], j));
+    }
   return least;
 }
 

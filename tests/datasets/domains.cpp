@@ -1,11 +1,14 @@
 // Datasets with segments are domains: simple loops, no crossings, and the shapes that they say.
 #include "datasets/dataset.hpp"
+#include "datasets/random.hpp"
+#include "datasets/shapes/outline.hpp"
 #include "tests/datasets/support.hpp"
 
 #include <gmpxx.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace tribunal {
@@ -128,6 +131,36 @@ TEST(TrailingEdge, GraphBeginsWithWholeStationsOfTheDataset) {
     while (same < points.size() && points[same] == domain.points[same]) ++same;
     EXPECT_GT(same, 950U) << name;
     EXPECT_LE(same, 1000U) << name;
+  }
+}
+
+/// By all pairs of a vertex and a side.
+double distance_by_definition(const shapes::Outline& a, const shapes::Outline& b) {
+  double least = std::numeric_limits<double>::infinity();
+  const auto look = [&](const shapes::Outline& points, const shapes::Outline& sides) {
+    for (const Point2& p : points)
+      for (std::size_t i = 0; i < sides.size(); ++i) {
+        const Point2 &from = sides[i], &to = sides[(i + 1) % sides.size()];
+        const double ux = to[0] - from[0], uy = to[1] - from[1], vx = p[0] - from[0], vy = p[1] - from[1];
+        const double t = std::clamp((ux * vx + uy * vy) / (ux * ux + uy * uy), 0.0, 1.0);
+        least = std::min(least, std::hypot(vx - t * ux, vy - t * uy));
+      }
+  };
+  look(a, b);
+  look(b, a);
+  return least;
+}
+
+TEST(Outlines, DistanceIsThatOfTheNearestPair) {
+  Random random(7);
+  constexpr shapes::FourDigit section{.camber = 0.04, .camber_at = 0.4, .thickness = 0.12, .blunt = false};
+  for (const std::uint64_t stations : {2, 31, 32, 33, 200}) {
+    const shapes::Outline wing = shapes::outline_of(section, stations);
+    for (int round = 0; round < 20; ++round) {
+      const double x = 4 * random.unit() - 2, y = random.unit() + 0.5;
+      const shapes::Outline other = shapes::moved(shapes::turned(wing, 1 + random.unit(), 0.6, 0.8), x, y);
+      EXPECT_NEAR(shapes::distance(wing, other), distance_by_definition(wing, other), 1e-13) << stations;
+    }
   }
 }
 
