@@ -55,33 +55,35 @@ bool Stars::conflicts(const Edge& segment) {
 void Stars::insert(const Edge& segment) {
   const auto edge = static_cast<Index>(edges_.size());
   edges_.push_back(segment);
+  mutual_.emplace_back();
   for (const Index site : problem_.sites) {
     if (site == segment[0] || site == segment[1]) continue;
-    const Sign turn = side(edge, site);
-    if (turn == Sign::positive) hide_between(site, segment[0], segment[1], edge);
-    if (turn == Sign::negative) hide_between(site, segment[1], segment[0], edge);
+    const Sign front = side(edge, site);
+    if (front != Sign::zero) hide({edge, site, front});
   }
 }
 
-/// Hides what the site sees counter-clockwise from `right` to `left`, both excluded.
-void Stars::hide_between(Index site, Index right, Index left, Index edge) {
-  const Star& star = stars_[local_[site]];
+/// Hides what the site sees between the edge's ends, both excluded.
+void Stars::hide(const Sight& sight) {
+  auto [right, left] = edges_[sight.edge];
+  if (sight.front == Sign::negative) std::swap(right, left);
+  const Star& star = stars_[local_[sight.site]];
   const Index first = star.direction[local_[right]] + 1, last = star.direction[local_[left]];
   if (first <= last) {
-    hide_range(site, first, last, edge);
+    hide_range(sight, first, last);
   } else {
-    hide_range(site, first, star.directions, edge);
-    hide_range(site, 0, last, edge);
+    hide_range(sight, first, star.directions);
+    hide_range(sight, 0, last);
   }
 }
 
 /// Offers the edge to the nodes that make up the directions in [first, last).
-void Stars::hide_range(Index site, Index first, Index last, Index edge) {
-  Star& star = stars_[local_[site]];
+void Stars::hide_range(const Sight& sight, Index first, Index last) {
+  Star& star = stars_[local_[sight.site]];
   const auto offer = [&](Index node) {
     ++steps_;
     Index& closest = star.closest[node];
-    if (closest == none || is_closer(edge, closest, site)) closest = edge;
+    if (closest == none || is_closer(sight, closest)) closest = sight.edge;
   };
   first += star.directions;
   last += star.directions;
@@ -91,16 +93,24 @@ void Stars::hide_range(Index site, Index first, Index last, Index edge) {
   }
 }
 
-/// Of two edges that do not cross and that one ray from the site meets: whether the ray meets `edge` first.
-/// The line of one of them has the other on one side.
-bool Stars::is_closer(Index edge, Index other, Index site) {
+/// Of two edges that do not cross and that one ray from the site meets: whether the ray meets the one in
+/// sight before the other. The line of one of them has the other on one side.
+bool Stars::is_closer(const Sight& sight, Index other) {
   ++tests_;
-  const Sign front = side(edge, site);
-  const Sign first = side(edge, edges_[other][0]), second = side(edge, edges_[other][1]);
-  if (first != front && second != front) return true;
-  if (first != -front && second != -front) return false;
-  const Sign other_front = side(other, site);
-  return side(other, edges_[edge][0]) != -other_front && side(other, edges_[edge][1]) != -other_front;
+  const auto none_on = [](const std::array<Sign, 2>& ends, Sign s) { return ends[0] != s && ends[1] != s; };
+  const Mutual& lines = mutual(sight.edge, other);
+  if (none_on(lines.older, sight.front)) return true;
+  if (none_on(lines.older, -sight.front)) return false;
+  return none_on(lines.newer, -side(other, sight.site));
+}
+
+const Stars::Mutual& Stars::mutual(Index inserted, Index other) {
+  Mutual& lines = mutual_[other];
+  if (lines.inserted == inserted) return lines;
+  const auto ends_from = [&](Index line, Index edge) {
+    return std::array{side(line, edges_[edge][0]), side(line, edges_[edge][1])};
+  };
+  return lines = {inserted, ends_from(inserted, other), ends_from(other, inserted)};
 }
 
 bool Stars::separates(Index edge, Index a, Index b) {

@@ -3,6 +3,7 @@
 
 #include "algorithms/greedy/from_pool.hpp"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -25,6 +26,8 @@ class Stars final : public AcceptedEdges {
   std::uint64_t steps() const { return steps_; }
 
  private:
+  static constexpr Index none = 0xFFFFFFFF;
+
   struct Star {
     std::vector<Index> direction;  // by local number of the site seen, counter-clockwise; sites in line share
     std::vector<Index> closest;    // the tree: node 1 is the root, the leaf of direction d is size + d
@@ -32,19 +35,32 @@ class Stars final : public AcceptedEdges {
     Index directions = 0;
   };
 
+  /// An edge as a site sees it that is not on its line.
+  struct Sight {
+    Index edge, site;
+    Sign front;  // the side of the edge that the site is on
+  };
+
+  /// Where the ends of an edge of T and of the one being inserted lie, each from the line of the other: the
+  /// same whichever site asks, and so kept while the insertion lasts.
+  struct Mutual {
+    Index inserted = none;  // the insertion it was computed for
+    std::array<Sign, 2> older = {}, newer = {};
+  };
+
   Star star_of(Index site) const;
-  void hide_between(Index site, Index right, Index left, Index edge);
-  void hide_range(Index site, Index first, Index last, Index edge);
-  bool is_closer(Index edge, Index other, Index site);
+  void hide(const Sight& sight);
+  void hide_range(const Sight& sight, Index first, Index last);
+  bool is_closer(const Sight& sight, Index other);
+  const Mutual& mutual(Index inserted, Index other);
   bool separates(Index edge, Index a, Index b);
   Sign side(Index edge, Index site) const;
 
-  static constexpr Index none = 0xFFFFFFFF;
-
   const PlanarProblem& problem_;
-  std::vector<Index> local_;  // by index: the site's position in problem.sites
-  std::vector<Star> stars_;   // by local number
-  std::vector<Edge> edges_;   // T
+  std::vector<Index> local_;    // by index: the site's position in problem.sites
+  std::vector<Star> stars_;     // by local number
+  std::vector<Edge> edges_;     // T
+  std::vector<Mutual> mutual_;  // by edge of T
   std::uint64_t tests_ = 0, steps_ = 0;
 };
 
