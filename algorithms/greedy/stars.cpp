@@ -1,11 +1,53 @@
 #include "algorithms/greedy/stars.hpp"
 
+#include "algorithms/direction.hpp"
 #include "algorithms/greedy/radial_order.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace tribunal {
+namespace {
+
+/// Grows with a direction as it turns counter-clockwise from straight down.
+double rounded_turn(Point2 centre, Point2 p) {
+  const auto [x, y] = direction(centre, p);
+  const double height = y / (std::fabs(x) + std::fabs(y));
+  return centre < p ? height : 3 - height;
+}
+
+/// The other sites counter-clockwise, those of one direction from the centre outwards. Rounded directions are
+/// nearly always in the right order, and whether they are takes few questions; exact ones take O(n log n).
+std::vector<Index> sites_around(const PlanarProblem& problem, Index centre) {
+  const auto& p = problem.points;
+  struct Seen {
+    double turn;
+    Index site;
+  };
+  std::vector<Seen> seen;
+  for (const Index other : problem.sites)
+    if (other != centre) seen.push_back({rounded_turn(p[centre], p[other]), other});
+  // Sites of one direction all lie before or all behind the centre, where they are ordered from it outwards.
+  const auto outwards = [&](Index a, Index b) { return p[centre] < p[a] ? p[a] < p[b] : p[b] < p[a]; };
+  std::sort(seen.begin(), seen.end(), [&](const Seen& a, const Seen& b) {
+    return a.turn != b.turn ? a.turn < b.turn : outwards(a.site, b.site);
+  });
+  std::vector<Index> sites;
+  for (const Seen& s : seen) sites.push_back(s.site);
+
+  const RadialOrder order(problem, centre);
+  const auto before = [&](Index a, Index b) {
+    if (order(a, b)) return true;
+    return !order(b, a) && outwards(a, b);
+  };
+  // Stable, since that is safe with signs that contradict each other.
+  if (!std::is_sorted(sites.begin(), sites.end(), before))
+    std::stable_sort(sites.begin(), sites.end(), before);
+  return sites;
+}
+
+}  // namespace
 
 Stars::Stars(const PlanarProblem& problem) : problem_(problem), local_(problem.points.size(), none) {
   require_pool(problem);
@@ -15,19 +57,8 @@ Stars::Stars(const PlanarProblem& problem) : problem_(problem), local_(problem.p
 }
 
 Stars::Star Stars::star_of(Index site) const {
-  const auto& p = problem_.points;
-  std::vector<Index> seen;
-  for (const Index other : problem_.sites)
-    if (other != site) seen.push_back(other);
+  const std::vector<Index> seen = sites_around(problem_, site);
   const RadialOrder order(problem_, site);
-  // Sites of one direction all lie before or all behind the centre, where they are ordered from it outwards.
-  std::sort(seen.begin(), seen.end(), [&](Index a, Index b) {
-    const bool a_behind = p[a] < p[site], b_behind = p[b] < p[site];
-    if (a_behind != b_behind) return b_behind;
-    return a_behind ? p[b] < p[a] : p[a] < p[b];
-  });
-  std::stable_sort(seen.begin(), seen.end(), order);
-
   Star star;
   star.direction.resize(problem_.sites.size(), none);
   star.hidden.resize(problem_.sites.size(), false);
