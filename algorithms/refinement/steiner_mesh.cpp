@@ -12,16 +12,6 @@ namespace tribunal::refinement {
 namespace {
 using constrained::GraphMesh;
 
-GraphMesh build(const Graph& graph, std::span<const Index> order, const Kernel2& kernel) {
-  const constrained::GraphSites sites = constrained::distinct_sites(graph, order, kernel);
-  if (sites.collinear)
-    throw Abandon(Outcome::refused_input, "all points lie on one line: there is nothing to refine");
-  GraphMesh built = constrained::build_graph_mesh(graph, sites, kernel, Recovery::cavity);
-  if (std::find(built.inside.begin(), built.inside.end(), true) == built.inside.end())
-    throw Abandon(Outcome::refused_input, "the holes leave no domain");
-  return built;
-}
-
 /// The double point nearest to a + t (b - a).
 Point2 nearest_on(Point2 a, Point2 b, double t) {
   const RationalPoint p = rational(a), q = rational(b);
@@ -51,7 +41,7 @@ double stepped(double x, int steps) {
 }  // namespace
 
 SteinerMesh::SteinerMesh(const Graph& graph, std::span<const Index> order, const Kernel2& kernel)
-    : SteinerMesh(graph, build(graph, order, kernel)) {}
+    : SteinerMesh(graph, build_domain_mesh(graph, order, kernel)) {}
 
 SteinerMesh::SteinerMesh(const Graph& graph, GraphMesh built)
     : mesh_(std::move(built.mesh)),
@@ -61,23 +51,9 @@ SteinerMesh::SteinerMesh(const Graph& graph, GraphMesh built)
       piece_ends_(built.recovered.pieces.size()),
       roles_(mesh_.vertices(), Role::input),
       parameters_(mesh_.vertices(), 0) {
-  mesh_.confine({built.inside.begin(), built.inside.end()});
-  hold_boundary();
   const PlanarMesh& t = triangles();
   for (HalfEdge h = 0; h < 3 * t.triangles(); ++h)
     if (mesh_.held(h)) piece_ends_[mesh_.piece(h)] = undirected(t.from(h), t.to(h));
-}
-
-/// What bounds the domain must stop looks and swaps; on a hull that may be an edge on no segment.
-void SteinerMesh::hold_boundary() {
-  const PlanarMesh& t = triangles();
-  for (HalfEdge h = 0; h < 3 * t.triangles(); ++h) {
-    if (mesh_.held(h) || !in_domain(triangle_of(h)) || in_domain(triangle_of(t.twin(h)))) continue;
-    const auto piece = static_cast<Index>(piece_ends_.size());
-    mesh_.hold(h, piece);
-    piece_ends_.emplace_back();
-    runs_.push_back({no_segment, piece});
-  }
 }
 
 void SteinerMesh::require_admitted(Point2 p) const {

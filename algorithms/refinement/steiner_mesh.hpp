@@ -1,7 +1,7 @@
 // The constrained Delaunay mesh of a domain, into which Steiner points go and out of which they come again.
 #pragma once
 
-#include "algorithms/constrained/graph_mesh.hpp"
+#include "algorithms/refinement/domain_mesh.hpp"
 #include "algorithms/refinement/sight.hpp"
 #include "algorithms/refinement/subsegments.hpp"
 
@@ -11,9 +11,6 @@
 #include <vector>
 
 namespace tribunal::refinement {
-
-/// The boundary of a hull has edges that lie on no segment.
-inline constexpr Index no_segment = 0xFFFFFFFF;
 
 /// What refinement makes of a graph.
 struct Refined {
@@ -36,7 +33,7 @@ enum class Role : std::uint8_t {
 class SteinerMesh {
  public:
   /// The mesh of the graph's domain, sites inserted in `order` (a permutation of all points). Throws as
-  /// build_graph_mesh does, and refused_input for collinear points.
+  /// build_domain_mesh does.
   SteinerMesh(const Graph& graph, std::span<const Index> order, const Kernel2& kernel);
 
   const constrained::Mesh& mesh() const { return mesh_; }
@@ -94,7 +91,6 @@ class SteinerMesh {
   std::optional<Point2> place_near(HalfEdge h, Point2 place) const;
   bool admits_split(HalfEdge h, Point2 p) const;
   double parameter(Index piece, Index vertex) const;
-  void hold_boundary();
   void require_admitted(Point2 p) const;
 
   constrained::Mesh mesh_;

@@ -19,7 +19,8 @@ struct Spacing {
   std::string refuse() const {
     if (!(std::isfinite(wall) && wall > 0)) return "the spacing at the wall must be larger than 0";
     if (!(std::isfinite(growth) && growth >= 1)) return "layers must not shrink: their growth is at least 1";
-    if (!(std::isfinite(most) && most >= wall)) return "the largest spacing is less than that at the wall";
+    if (!(std::isfinite(most) && most >= wall))
+      return "most, the largest spacing, is less than wall, that at the wall";
     return {};
   }
 };

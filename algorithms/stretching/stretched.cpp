@@ -1,6 +1,6 @@
 #include "algorithms/stretching/stretched.hpp"
 
-#include "algorithms/constrained/graph_mesh.hpp"
+#include "algorithms/refinement/domain_mesh.hpp"
 #include "algorithms/refinement/sight.hpp"
 #include "algorithms/stretching/guides.hpp"
 #include "algorithms/stretching/min_max_insertion.hpp"
@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <queue>
 #include <utility>
+#include <vector>
 
 namespace tribunal::stretching {
 namespace {
@@ -33,9 +33,7 @@ constrained::GraphMesh build(const Graph& graph, std::span<const Index> order, c
   if (const std::string reason = options.spacing.refuse(); !reason.empty())
     throw Abandon(Outcome::refused_input, reason);
   require_usual_size(graph);
-  const constrained::GraphSites sites = constrained::distinct_sites(graph, order, kernel);
-  if (sites.collinear) throw Abandon(Outcome::refused_input, "all points lie on one line");
-  return build_graph_mesh(graph, sites, kernel, Recovery::cavity);
+  return refinement::build_domain_mesh(graph, order, kernel);
 }
 
 /// A place for a new vertex that passes, and where it is seen.
@@ -51,10 +49,12 @@ class Run {
       : options_(options),
         graph_(graph),
         built_(std::move(built)),
-        mesh_(confined(built_)),
+        mesh_(built_.mesh),
         insertion_(mesh_),
         guides_(mesh_, options.spacing, options.walls),
-        tree_(corner<0>(graph.points), corner<1>(graph.points)),
+        low_(corner<0>(graph.points)),
+        high_(corner<1>(graph.points)),
+        tree_(low_, high_),
         stamps_(mesh_.triangles().triangles(), 0) {
     for (Index v = 0; v < mesh_.vertices(); ++v) tree_.insert(mesh_.point(v));
     for (Index t = 0; t < mesh_.triangles().triangles(); ++t) consider(t);
@@ -62,9 +62,10 @@ class Run {
 
   Stretched run() {
     while (!failing_.empty()) {
-      const Failing worst = failing_.top();
-      failing_.pop();
-      if (stamps_[worst.triangle] == worst.stamp) refine(worst.triangle);
+      const Failing worst = failing_.front();
+      std::pop_heap(failing_.begin(), failing_.end());
+      failing_.pop_back();
+      if (is_current(worst)) refine(worst.triangle);
     }
     insertion_.swap_anew();
     return result();
@@ -80,10 +81,6 @@ class Run {
     }
   };
 
-  static constrained::Mesh& confined(GraphMesh& built) {
-    built.mesh.confine({built.inside.begin(), built.inside.end()});
-    return built.mesh;
-  }
   /// The least or largest coordinates.
   template <int which>
   static Point2 corner(std::span<const Point2> points) {
@@ -94,12 +91,25 @@ class Run {
     return found;
   }
 
+  bool in_box(Point2 p) const {
+    return low_[0] <= p[0] && p[0] <= high_[0] && low_[1] <= p[1] && p[1] <= high_[1];
+  }
+
   /// Puts a triangle that fails into the heap.
   void consider(Index t) {
     if (!mesh_.inside(t)) return;
     const double measure = guides_.measure(mesh_, t);
-    if (measure > 1) failing_.push({measure, t, stamps_[t]});
+    if (measure <= 1) return;
+    // Layers of equal height change the triangles around them again and again.
+    if (failing_.size() > 2 * stamps_.size()) {
+      std::erase_if(failing_, [this](const Failing& f) { return !is_current(f); });
+      std::make_heap(failing_.begin(), failing_.end());
+    }
+    failing_.push_back({measure, t, stamps_[t]});
+    std::push_heap(failing_.begin(), failing_.end());
   }
+
+  bool is_current(const Failing& f) const { return stamps_[f.triangle] == f.stamp; }
 
   void refine(Index t) {
     const std::optional<Candidate> best = best_place(t);
@@ -153,7 +163,9 @@ class Run {
 
   /// Where in the domain p is, if it can be seen from the vertex.
   std::optional<Sighting> look_from(Index v, Point2 p) {
-    if (!mesh_.kernel().admits(p) || p == mesh_.point(v)) return std::nullopt;
+    if (p == mesh_.point(v) || !in_box(p)) return std::nullopt;
+    if (!mesh_.kernel().admits(p))
+      throw Abandon(Outcome::out_of_domain, "a Steiner point is outside the backend's domain");
     const PlanarMesh& t = mesh_.triangles();
     const auto side = [&](Index w) { return mesh_.kernel().orient2d(mesh_.point(v), mesh_.point(w), p); };
     const HalfEdge first = mesh_.link(v);
@@ -200,9 +212,10 @@ class Run {
   constrained::Mesh& mesh_;
   MinMaxInsertion insertion_;
   Guides guides_;
+  Point2 low_, high_;  // of the box around the graph
   PointTree tree_;
   std::vector<std::uint32_t> stamps_;  // of each triangle: how often it was changed
-  std::priority_queue<Failing> failing_;
+  std::vector<Failing> failing_;       // a heap, with entries whose triangles have changed since
   Counts counts_;
 };
 

@@ -145,6 +145,46 @@ TEST(Stretched, TakesPlacesThatDoublesDoNotTellApart) {
   expect_valid(sample, found.mesh);
 }
 
+/// What bounds a hull may lie on no segment; beyond it there is nothing to swap with.
+TEST(Stretched, FillsAHullWhoseEdgesAreNoSegments) {
+  DatasetGraph corner{{{{0, 0}}}, {}, {}};
+  for (std::uint32_t i = 1; i <= 20; ++i) {
+    corner.points.push_back(i <= 10 ? Point2{{i / 10.0, 0}} : Point2{{1, (i - 10) / 10.0}});
+    corner.segments.push_back({i - 1, i});
+  }
+  const Sample sample(std::move(corner));
+  Graph graph = sample.graph();
+  graph.domain = Domain::hull;
+  const Stretched found =
+      refine_stretched(graph, sample.order, *sample.kernel, {{0.02, 1.3, 1}, WallChoice::inner, 10'000});
+  EXPECT_GT(found.counts.inserted, 10U);
+  const auto verdict = verify::verify_constrained(found.mesh.points, {found.mesh.triangles},
+                                                  {sample.data.segments, {}, verify::Domain::hull},
+                                                  {.kind = verify::Kind::triangulation});
+  EXPECT_TRUE(verdict.valid());
+}
+
+TEST(Stretched, EndsWhereItsVerticesLeaveTheBackendsDomain) {
+  const Sample sample(polygon({{{0, 0}}, {{3, 0}}, {{3, 1}}, {{1, 2}}, {{1, 3}}, {{0, 3}}}));
+  for (const char* name : {"knuth", "knuth64", "redundant", "fortune-van-wyk", "fixed"}) {
+    const auto bound = find_backend(name)->bind2(sample.data.points);
+    try {
+      refine_stretched(sample.graph(), sample.order, *std::get<0>(bound),
+                       {{0.02, 1.3, 1}, WallChoice::inner, 10'000});
+      ADD_FAILURE() << name << " cannot place a vertex off its lattice";
+    } catch (const Abandon& abandon) {
+      EXPECT_EQ(abandon.outcome, Outcome::out_of_domain) << name;
+    }
+  }
+}
+
+TEST(Stretched, LayersOfEqualHeightAreLaidInThousands) {
+  const Sample sample(polygon({{{0, 0}}, {{3, 0}}, {{3, 1}}, {{1, 1.3}}, {{1, 3}}, {{0, 3}}}));
+  const Stretched found = refine(sample, {1e-3, 1, 1});
+  EXPECT_GT(found.counts.inserted, 1000U);
+  expect_valid(sample, found.mesh);
+}
+
 TEST(StretchingParameters, RefuseSpacingsThatAreNone) {
   for (const char* wall : {"0", "-1e-4", "nan", "inf", "wide", ""})
     EXPECT_NE(refuse_settings("stretched", parameters, {{"wall", wall}}), "") << wall;

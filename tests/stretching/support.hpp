@@ -1,7 +1,7 @@
 // Domains of a few lines, and the kernel over their points.
 #pragma once
 
-#include "algorithms/constrained/graph_mesh.hpp"
+#include "algorithms/refinement/domain_mesh.hpp"
 #include "datasets/dataset.hpp"
 #include "predicates/backends/list.hpp"
 
@@ -20,12 +20,7 @@ struct Sample {
     std::iota(order.begin(), order.end(), Index{0});
   }
   Graph graph() const { return {data.points, data.segments, data.holes, Domain::carved}; }
-  constrained::GraphMesh mesh() const {
-    auto built = build_graph_mesh(graph(), constrained::distinct_sites(graph(), order, *kernel), *kernel,
-                                  Recovery::cavity);
-    built.mesh.confine({built.inside.begin(), built.inside.end()});
-    return built;
-  }
+  constrained::GraphMesh mesh() const { return refinement::build_domain_mesh(graph(), order, *kernel); }
 };
 
 /// A closed polygon.
