@@ -85,17 +85,29 @@ class LinearField : public Field {
     const Index found = walk_.locate(static_cast<Index>(places_.size() - 1), steps);
     start = found;
     if (t.is_ghost(found)) throw Abandon(Outcome::inconsistent_predicate, "a vertex lies outside the hull");
-    double sum = 0, weights = 0;
-    for (HalfEdge h = 3 * found; h < 3 * found + 3; ++h) {
-      const Point2 a = places_[t.from(h)], b = places_[t.to(h)];
-      const double area = (a[0] - p[0]) * (b[1] - p[1]) - (a[1] - p[1]) * (b[0] - p[0]);
-      sum += std::max(area, 0.0) * values_[t.corner(h)];
-      weights += std::max(area, 0.0);
-    }
-    return weights > 0 ? sum / weights : values_[t.corner(3 * found)];
+    return interpolate(t.triangle(found), p);
   }
 
  private:
+  /// Linearly over the triangle that holds p, of any size.
+  double interpolate(const Triangle& v, Point2 p) const {
+    const Corners corners{places_[v[0]], places_[v[1]], places_[v[2]]};
+    const int excess = excess_exponent(corners);
+    const Corners at = scaled(corners, -excess);
+    p = scaled(p, -excess);
+    std::array<double, 3> areas{};  // of the triangle with p in the place of a corner
+    double whole = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point2 a = at[(i + 1) % 3], b = at[(i + 2) % 3];
+      areas[i] = std::max((a[0] - p[0]) * (b[1] - p[1]) - (a[1] - p[1]) * (b[0] - p[0]), 0.0);
+      whole += areas[i];
+    }
+    if (!(whole > 0)) return values_[v[0]];
+    double value = 0;
+    for (std::size_t i = 0; i < 3; ++i) value += areas[i] / whole * values_[v[i]];
+    return value;
+  }
+
   constrained::GraphMesh mesh_;
   std::vector<Point2> places_;  // of the vertices, and of where a value is wanted
   std::vector<double> values_;

@@ -95,6 +95,23 @@ TEST(LinearField, TakesItsValuesAtItsPoints) {
   for (Index v = 0; v < points.size(); ++v) EXPECT_DOUBLE_EQ(field->at(points[v]), v);
 }
 
+/// A square of side `side`, and two of its corners of the value `most`.
+double halfway(double side, double most) {
+  const std::vector<Point2> points{{{0, 0}}, {{side, 0}}, {{side, side}}, {{0, side}}};
+  const std::vector<Edge> segments{{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  const std::vector<Index> order{0, 1, 2, 3};
+  const auto kernel = std::move(std::get<0>(find_backend("filtered")->bind2(points)));
+  const std::vector<double> values{0, most, most, 0};
+  const Graph graph{points, segments, {}, Domain::carved};
+  return linear_field(graph, order, *kernel, values)->at({{side / 2, side / 4}});
+}
+
+/// Areas, and their products with values, leave the range of doubles long before the result does.
+TEST(LinearField, IsLinearAtEveryScale) {
+  for (const double side : {1.0, 0x1p-1000, 0x1p-600, 0x1p520, 0x1p1000})
+    for (const double most : {1.0, 0x1p-1000, 0x1p1000}) EXPECT_EQ(halfway(side, most), most / 2) << side;
+}
+
 TEST(Adaptive, RefusesFieldsThatAreNotFinite) {
   const Frame frame;
   for (const char* text : {"log(x - 2)", "1/(x - x)", "sqrt(-1 - x)"}) {
