@@ -145,7 +145,8 @@ std::array<double, 2> extreme_angles(const Corners& t) {
     const Point2 p = t[i], q = t[(i + 1) % 3], r = t[(i + 2) % 3];
     const auto [ux, uy] = direction(p, q);
     const auto [vx, vy] = direction(p, r);
-    angles[i] = std::atan2(ux * vy - uy * vx, ux * vx + uy * vy) * 180 / std::numbers::pi;
+    // Of a corner of nearly 180 degrees the product may round to the wrong side of zero.
+    angles[i] = std::atan2(std::fabs(ux * vy - uy * vx), ux * vx + uy * vy) * 180 / std::numbers::pi;
   }
   const auto [least, most] = std::minmax_element(angles.begin(), angles.end());
   return {*least, *most};
