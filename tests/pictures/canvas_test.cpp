@@ -78,6 +78,20 @@ TEST(Clip, ATriangleAroundTheSheetLeavesTheSheet) {
 }
 
 /// A line's part on the sheet, against many points of the line looked at one by one.
+/// The corners of a triangle around it may be so far away that a cut misses a side by more than its length.
+TEST(Clip, ATriangleFarAroundTheSheetLeavesTheSheet) {
+  for (const double far : {1e3, 1e15, 1e19, 1e100}) {
+    const std::vector<Corner> part =
+        part_within({{{-far, -0.7 * far}}, {{1.3 * far, -far}}, {{0.3 * far, far}}}, 100, 60);
+    double twice = 0;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const Position a = part[i].at, b = part[(i + 1) % part.size()].at;
+      twice += a.x * b.y - a.y * b.x;
+    }
+    EXPECT_DOUBLE_EQ(std::fabs(twice) / 2, 6000) << far;
+  }
+}
+
 TEST(Clip, ALineKeepsItsPointsOnTheSheet) {
   Random random(3);
   for (int i = 0; i < 500; ++i) {
