@@ -2,15 +2,9 @@
 
 #include "bench/hash.hpp"
 #include "bench/toml_reader.hpp"
-#include "datasets/files/files.hpp"
-
-#include <fstream>
-#include <iterator>
-
+#include "datasets/files/text.hpp"
 namespace tribunal::bench {
 namespace {
-
-constexpr std::uintmax_t largest_file = 16 << 20;
 
 Limits read_limits(const TomlReader& reader, const toml::table& table) {
   reader.allow_only(table, {"seconds", "memory_mib"});
@@ -20,16 +14,6 @@ Limits read_limits(const TomlReader& reader, const toml::table& table) {
   if (const toml::node* memory = table.get("memory_mib"))
     limits.memory_mib = reader.whole(*memory, "memory_mib", 16, std::uint64_t{1} << 24);
   return limits;
-}
-
-std::string read_file(const std::filesystem::path& path) {
-  std::error_code error;
-  const bool regular = std::filesystem::is_regular_file(path, error);
-  if (regular && std::filesystem::file_size(path, error) > largest_file)
-    throw BadInput(path.string() + ": too long for a campaign");
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path, error)) throw BadInput(path.string() + ": cannot be read");
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace
@@ -47,7 +31,7 @@ Plan read_plan(const toml::table& table, const std::string& filename) {
 }
 
 Plan parse_plan(const std::filesystem::path& path) {
-  const std::string text = read_file(path);
+  const std::string text = read_text(path);
   toml::table table;
   try {
     table = toml::parse(text, path.string());

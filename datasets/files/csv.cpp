@@ -1,4 +1,5 @@
-// .csv: x,y on each line, perhaps a third column with a value, perhaps a line of names first.
+// .csv: x,y on each line, perhaps a third column with a value, perhaps a line of names first; fields may be
+// quoted.
 #include "datasets/files/columns.hpp"
 #include "datasets/files/format.hpp"
 
@@ -18,11 +19,11 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-/// Names begin with a letter, '_' or a quotation mark; "nan" and "inf" are bad numbers, not names.
+/// Names begin with a letter or '_'; "nan" and "inf" are bad numbers, not names.
 bool is_name(std::string_view field) {
   if (field.empty()) return false;
   const auto first = static_cast<unsigned char>(field.front());
-  if (std::isalpha(first) == 0 && first != '_' && first != '"') return false;
+  if (std::isalpha(first) == 0 && first != '_') return false;
   const std::string lower = lower_case(field);
   return !lower.starts_with("nan") && lower != "inf" && lower != "infinity";
 }

@@ -3,6 +3,7 @@
 #include "datasets/files/files.hpp"
 #include "datasets/files/numerals.hpp"
 
+#include <algorithm>
 #include <cctype>
 
 namespace tribunal::files {
@@ -10,7 +11,7 @@ namespace {
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 bool ends_token(char c) {
-  return std::string_view(" \t\r\n\v\f,:;()[]{}\"").find(c) != std::string_view::npos;
+  return std::string_view(" \t\r\n\v\f,:;()[]{}#\"").find(c) != std::string_view::npos;
 }
 }  // namespace
 
@@ -20,6 +21,8 @@ Cursor::Cursor(std::string name, std::string_view text) : name_(std::move(name))
 
 void Cursor::skip_blanks() {
   for (; at_.position < text_.size(); ++at_.position) {
+    if (text_[at_.position] == '#') at_.position = std::min(text_.find('\n', at_.position), text_.size());
+    if (at_.position == text_.size()) return;
     const char c = text_[at_.position];
     if (std::isspace(static_cast<unsigned char>(c)) == 0) return;
     if (c != '\n') continue;

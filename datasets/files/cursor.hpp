@@ -9,8 +9,8 @@
 
 namespace tribunal::files {
 
-/// Walks through a text token by token; blanks and line ends between tokens are skipped, and a UTF-8 byte
-/// order mark at the beginning. The text must outlive the cursor.
+/// Walks through a text token by token; blanks, line ends and comments from '#' on between tokens are
+/// skipped, and a UTF-8 byte order mark at the beginning. The text must outlive the cursor.
 class Cursor {
  public:
   Cursor(std::string name, std::string_view text);
@@ -24,7 +24,7 @@ class Cursor {
   void expect(char c);
   /// Takes letters and '_'; may be empty.
   std::string_view word();
-  /// Takes all up to the next blank, comma, colon or bracket; may be empty.
+  /// Takes all up to the next blank, comma, colon, bracket or comment; may be empty.
   std::string_view bare();
   /// Takes a finite number; `what` names it in refusals.
   double number(std::string_view what);

@@ -21,6 +21,20 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+/// Where the field that begins at `cursor` ends: before its comma, or with the line. Between quotation marks
+/// commas do not count.
+std::size_t end_of_field(std::string_view line, std::size_t cursor) {
+  bool quoted = false;
+  for (; cursor < line.size() && (quoted || line[cursor] != ','); ++cursor)
+    if (line[cursor] == '"') quoted = !quoted;
+  return cursor;
+}
+
+std::string_view without_quotes(std::string_view field) {
+  if (field.size() < 2 || field.front() != '"' || field.back() != '"') return field;
+  return trimmed(field.substr(1, field.size() - 2));
+}
+
 }  // namespace
 
 std::string in_quotes(std::string_view field) {
@@ -72,11 +86,11 @@ std::string_view Scanner::field(std::string_view what) {
   taken_ = std::min(cursor_, current_.size());
   if (missing) refuse(std::string(what) + " is missing");
   if (separator_ == Separator::comma) {
-    const std::size_t end = std::min(current_.find(',', cursor_), current_.size());
+    const std::size_t end = end_of_field(current_, cursor_);
     const auto taken = trimmed(current_.substr(cursor_, end - cursor_));
     if (!taken.empty()) taken_ = static_cast<std::size_t>(taken.data() - current_.data());
     cursor_ = end + 1;
-    return taken;
+    return without_quotes(taken);
   }
   while (cursor_ < current_.size() && !is_blank(current_[cursor_])) ++cursor_;
   return current_.substr(taken_, cursor_ - taken_);

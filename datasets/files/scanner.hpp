@@ -13,7 +13,7 @@ namespace tribunal {
 class Scanner {
  public:
   /// What stands between two fields: blanks, or one comma with any blanks around it (then fields may be
-  /// empty).
+  /// empty, or in quotation marks, which are no part of them).
   enum class Separator : std::uint8_t { blanks, comma };
 
   /// Where a field begins: both from 1, columns in bytes.

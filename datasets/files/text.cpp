@@ -25,13 +25,22 @@ struct Close {
 };
 using File = std::unique_ptr<std::FILE, Close>;
 
+/// Of binary data, or a device that never ends, no more is read than up to the first zero byte.
+[[noreturn]] void refuse_zero(std::string_view before, const fs::path& path) {
+  throw BadInput(name_of(path) + ":" + std::to_string(1 + std::ranges::count(before, '\n')) +
+                 ": a zero byte: this is no text");
+}
+
 std::string read_all(std::FILE* file, const fs::path& path) {
   std::string text;
   std::size_t used = 0;
   for (;;) {
     text.resize(std::max<std::size_t>(2 * used, std::size_t{1} << 16));
-    used += std::fread(text.data() + used, 1, text.size() - used, file);
+    const std::size_t read = std::fread(text.data() + used, 1, text.size() - used, file);
     if (std::ferror(file) != 0) refuse(path, "read", errno);
+    if (const std::size_t zero = text.find('\0', used); zero < used + read)
+      refuse_zero({text.data(), zero}, path);
+    used += read;
     if (used < text.size()) break;
   }
   text.resize(used);

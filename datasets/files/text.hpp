@@ -11,7 +11,8 @@ namespace tribunal {
 /// The name of a path in messages: as the user gave it, "stdin" for "-".
 std::string name_of(const std::filesystem::path& path);
 
-/// The bytes of a file; "-" is standard input. Throws BadInput with the system's reason.
+/// The bytes of a text file; "-" is standard input. Throws BadInput with the system's reason, or where a zero
+/// byte tells that it is no text.
 std::string read_text(const std::filesystem::path& path);
 
 /// Replaces a file's content at once: the text goes to a temporary file beside it, which is then renamed, so

@@ -55,7 +55,8 @@ class WktReader {
     else if (single == "POLYGON")
       multi ? each([this] { polygon(); }) : polygon();
     else
-      cursor_.refuse_at(where, in_quotes(kind) + " is no geometry that is read here");
+      cursor_.refuse_at(where, kind.empty() ? "a geometry is missing"
+                                            : in_quotes(kind) + " is no geometry that is read here");
     return false;
   }
 

@@ -159,8 +159,9 @@ TEST(PlanFiles, BytesThatAreNoTextAreRefused) {
 
 TEST(PlanFiles, MissingFileAndFolderCannotBeRead) {
   const TemporaryFolder folder;
-  EXPECT_EQ(complaint(folder / "none.toml"), (folder / "none.toml").string() + ": cannot be read");
-  EXPECT_EQ(complaint(folder / ""), (folder / "").string() + ": cannot be read");
+  EXPECT_EQ(complaint(folder / "none.toml"),
+            (folder / "none.toml").string() + ": cannot read: No such file or directory");
+  EXPECT_EQ(complaint(folder / ""), (folder / "").string() + ": cannot read: Is a directory");
 }
 
 }  // namespace

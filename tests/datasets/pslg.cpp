@@ -99,6 +99,15 @@ TEST(Pslg, LinesStayOpenAndPointsAlone) {
   }
 }
 
+TEST(Pslg, CommentsMayStandBetweenTokens) {
+  const PslgFile wkt = pslg_of("a.wkt", "# a map\n#\nLINESTRING(0 0, # from\n 1 0#to\n)\n# end");
+  EXPECT_EQ(wkt.sites.points, (Points{{{0, 0}}, {{1, 0}}}));
+  EXPECT_EQ(wkt.sites.lines, (Lines{3, 4}));
+  const PslgFile json = pslg_of(
+      "a.geojson", "# a map\n{\"type\": \"LineString\", # \"no\"\n\"coordinates\": [[0, 0], [1, 0]]}");
+  EXPECT_EQ(json.sites.points, (Points{{{0, 0}}, {{1, 0}}}));
+}
+
 TEST(Pslg, LinesAreThoseOfTheFile) {
   const PslgFile pslg = pslg_of("a.wkt", "LINESTRING(\n0 0,\n\n1 0,\n1 1)");
   EXPECT_EQ(pslg.sites.lines, (Lines{2, 4, 5}));

@@ -68,6 +68,12 @@ TEST(Reading, CsvTakesNamesInItsFirstLineOrNone) {
   EXPECT_EQ(points_of("a.csv", "x,y,height\n1,2,3").values, (Values{3}));
 }
 
+TEST(Reading, CsvFieldsMayBeQuotedAndThenHoldCommas) {
+  const auto file = points_of("a.csv", "\"x\",\"y\",\"height, in m\"\n\"1\", \" 2\" ,3\n4,\"-5e1\",\"6\"\n");
+  EXPECT_EQ(file.points, (Points{{{1, 2}}, {{4, -50}}}));
+  EXPECT_EQ(file.values, (Values{3, 6}));
+}
+
 TEST(Reading, NodeCountsFromZeroOrOne) {
   for (const std::string_view content : {"2 2 0 0\n0 1 2\n1 3 4\n", "2 2 0 0\n1 1 2\n2 3 4\n",
                                          "2\n1 1 2\n2 3 4\n", "# head\n2 2 0 1\n\n0 1 2 -7\n1 3 4 0\n# end"})
