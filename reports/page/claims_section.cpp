@@ -18,8 +18,9 @@ std::string badge(Verdict verdict) {
          glyphs[static_cast<std::size_t>(verdict)] + "</span>" + name + "</span>";
 }
 
+bool is_tried(const Tried& trial) { return trial.judgement.verdict != Verdict::untried; }
+
 std::string expectation(const Tried& trial) {
-  if (trial.judgement.verdict == Verdict::untried) return "not tried";
   if (trial.as_expected()) return "as expected";
   return "expected: " + std::string(to_string(trial.claim.expected));
 }
@@ -74,6 +75,15 @@ std::string row(const Tried& trial, double adjusted) {
   return html;
 }
 
+/// Claims that these rows say nothing about, by name only.
+std::string untried_line(const ReportInput& input) {
+  std::string names;
+  for (const Tried& trial : input.trials)
+    if (!is_tried(trial)) names += (names.empty() ? "" : ", ") + escape(trial.claim.id);
+  if (names.empty()) return "";
+  return "<p class=\"absent\">Not tried, since these rows lack some of their cells: " + names + ".</p>\n";
+}
+
 }  // namespace
 
 std::string verdict_strip(const ReportInput& input) {
@@ -98,25 +108,28 @@ std::string verdict_strip(const ReportInput& input) {
     html += "; <strong>all that were tried as registered beforehand</strong>";
   html += ".";
   html += " A claim registered as a misprint is expected to be refuted.</p>\n<ul class=\"strip\">";
-  for (const Tried& trial : input.trials) html += tile(trial);
+  for (const Tried& trial : input.trials)
+    if (is_tried(trial)) html += tile(trial);
   return html + "</ul></section>\n";
 }
 
 std::string claims_section(const ReportInput& input) {
   const Family all = family(input.trials);
-  std::string html =
-      "<section aria-labelledby=\"claims\"><h2 id=\"claims\">Claims</h2><p>Each claim was fixed with its "
-      "cells, seeds and "
-      "rule before it was tried. Were all of them true, " +
-      number_text(all.expected_false_refutations, 2) +
-      " would be refuted by chance.</p>\n<div class=\"scroll\"><table class=\"claims\"><thead><tr><th "
-      "scope=\"col\">id</th>"
-      "<th scope=\"col\">statement</th><th scope=\"col\">verdict</th><th scope=\"col\" "
-      "class=\"number\">measured</th>"
-      "<th scope=\"col\" class=\"number\">interval</th><th scope=\"col\" "
-      "class=\"number\">bound</th></tr></thead>\n";
-  for (std::size_t i = 0; i < input.trials.size(); ++i) html += row(input.trials[i], all.adjusted[i]);
-  return html + "</table></div></section>\n";
+  std::string rows;
+  for (std::size_t i = 0; i < input.trials.size(); ++i)
+    if (is_tried(input.trials[i])) rows += row(input.trials[i], all.adjusted[i]);
+  std::string html = "<section aria-labelledby=\"claims\"><h2 id=\"claims\">Claims</h2>";
+  if (!rows.empty())
+    html +=
+        "<p>Each claim was fixed with its cells, seeds and rule before it was tried. Were all of them "
+        "true, " +
+        number_text(all.expected_false_refutations, 2) +
+        " would be refuted by chance.</p>\n<div class=\"scroll\"><table class=\"claims\"><thead><tr>"
+        "<th scope=\"col\">id</th><th scope=\"col\">statement</th><th scope=\"col\">verdict</th>"
+        "<th scope=\"col\" class=\"number\">measured</th><th scope=\"col\" class=\"number\">interval</th>"
+        "<th scope=\"col\" class=\"number\">bound</th></tr></thead>\n" +
+        rows + "</table></div>";
+  return html + untried_line(input) + "</section>\n";
 }
 
 }  // namespace tribunal::reports

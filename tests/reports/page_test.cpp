@@ -169,6 +169,11 @@ TEST(Page, says_of_claims_that_were_not_tried_nothing_but_that) {
     return page({fixture.manifest, fixture.rows, trials}).find(what) != std::string::npos;
   };
   EXPECT_FALSE(says({untried, untried}, "registered beforehand"));
+  EXPECT_FALSE(says({untried}, "class=\"tile") || says({untried}, "class=\"claims"));
+  EXPECT_TRUE(says({tried, untried}, "class=\"tile") && says({tried, untried}, "class=\"claims"));
+  EXPECT_TRUE(says({untried}, "lack some of their cells: ") &&
+              says({tried, untried}, "some of their cells: "));
+  EXPECT_FALSE(says({tried, tried}, "some of their cells: "));
   EXPECT_TRUE(says({tried, untried}, "all that were tried as registered beforehand"));
   EXPECT_TRUE(says({tried, tried}, "<strong>all as registered beforehand"));
 }
