@@ -132,8 +132,7 @@ void print_goals(Console& console, std::span<const MeasuredGoal> goals) {
     auto& row = table.emplace_back();
     row.push_back(ratio_name(measured.goal));
     if (measured.ratio)
-      row.insert(row.end(), {three_digits(*measured.ratio), three_digits(measured.interval.low) + " to " +
-                                                                three_digits(measured.interval.high)});
+      row.insert(row.end(), {three_digits(*measured.ratio), span_text(measured.interval)});
     else
       row.insert(row.end(), {"-", "-"});
     row.push_back("<= " + digits(measured.goal.at_most, 2));
@@ -157,6 +156,11 @@ std::string three_digits(double value) {
   const int decimals = value < 9.995 ? 2 : value < 99.95 ? 1 : 0;
   std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
   return text.data();
+}
+
+std::string span_text(const bench::Interval& interval) {
+  if (interval.low == interval.high) return "-";
+  return three_digits(interval.low) + " to " + three_digits(interval.high);
 }
 
 json bench_document(const bench::PredicateBenchOptions& plan, std::span<const MicroCell> cells,

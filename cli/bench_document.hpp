@@ -15,6 +15,9 @@ namespace tribunal::cli {
 /// Three significant digits, never an exponent: "1.26", "12.6", "1260".
 std::string three_digits(double value);
 
+/// "1.2 to 1.3"; "-" for an interval that is one value, as after a single round, which tells of no spread.
+std::string span_text(const bench::Interval& interval);
+
 /// As cli/schemas/bench.schema.json says.
 nlohmann::json bench_document(const bench::PredicateBenchOptions& plan,
                               std::span<const bench::MicroCell> cells,

@@ -1,8 +1,11 @@
 #include "cli/mesh_input.hpp"
 
+#include "cli/console.hpp"
+
 namespace tribunal::cli {
 
 MeshFile read_mesh_over(const std::string& name, const PointFile& points, const std::string& mesh) {
+  if (name == "-" && mesh == "-") throw BadUsage("the points and the mesh both want standard input");
   MeshFile read = read_mesh(mesh, points.points.size());
   if (read.points.empty()) return read;  // .ele leaves them to a .node
   if (read.points.size() != points.points.size())

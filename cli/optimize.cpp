@@ -1,6 +1,5 @@
 // tribunal optimize: a user's mesh, made better.
 #include "algorithms/abandon.hpp"
-#include "algorithms/flips/angles.hpp"
 #include "algorithms/mesh/canonical.hpp"
 #include "algorithms/optimizers.hpp"
 #include "algorithms/verify/verify.hpp"
@@ -77,13 +76,6 @@ void check(std::span<const Point2> points, Improvement& result) {
   result.reason = judgement.reason;
 }
 
-/// Extreme angles in degrees; null where there is no triangle.
-json angles_json(const Sites& sites, std::span<const Triangle> triangles) {
-  if (triangles.empty()) return {{"largest", nullptr}, {"smallest", nullptr}};
-  return {{"largest", degrees(sites, largest_corner(sites, triangles))},
-          {"smallest", degrees(sites, smallest_corner(sites, triangles))}};
-}
-
 TableRows summary(const json& stats) {
   constexpr std::array keys{"criterion", "backend", "n", "triangles", "outcome"};
   TableRows rows = rows_of(stats, keys);
@@ -101,7 +93,7 @@ int optimize(const OptimizeOptions& options, Console& console) {
   const Settings settings = settings_for(optimizer.name, optimizer.parameters, options.settings);
   const BackendEntry& backend = backend_named(options.backend);
   check_picture(options.picture);
-  check_outputs({.inputs = {options.points, options.mesh},
+  check_outputs({.inputs = {options.points, options.mesh, options.picture.against},
                  .mesh = options.output,
                  .stats = options.stats,
                  .picture = options.picture.file},
@@ -125,7 +117,6 @@ int optimize(const OptimizeOptions& options, Console& console) {
   Improvement result = improve(input, kernel, optimizer, settings, counted);
   if (!backend.about->exact) check(input.points.points, result);
   const bool good_mesh = result.outcome == Outcome::ok;
-  const Sites sites{input.points.points, kernel};
   json stats{{"criterion", options.criterion},
              {"parameters", settings},
              {"backend", options.backend},
@@ -134,8 +125,8 @@ int optimize(const OptimizeOptions& options, Console& console) {
              {"outcome", to_string(result.outcome)},
              {"reason", result.reason},
              {"counts", json::object()},
-             {"angles_before", angles_json(sites, input.mesh.triangles)},
-             {"angles_after", angles_json(sites, result.mesh.triangles)},
+             {"angles_before", angles_json(input.points.points, input.mesh.triangles)},
+             {"angles_after", angles_json(input.points.points, result.mesh.triangles)},
              {"predicates", predicates_json(result.predicates)},
              {"digest", to_hex(digest(result.mesh.triangles))},
              {"seconds", result.seconds}};

@@ -10,19 +10,19 @@
 namespace tribunal::cli {
 namespace {
 
-/// "35 s", "4 min" or "2.5 h"; "?" before there is anything to go by.
-std::string time_left(const std::optional<double>& seconds) {
-  if (!seconds) return "?";
-  if (*seconds < 120) return std::to_string(std::lround(*seconds)) + " s";
-  if (*seconds < 7200) return std::to_string(std::lround(*seconds / 60)) + " min";
-  const auto tenths = std::lround(*seconds / 360);
+/// "35 s", "4 min" or "2.5 h".
+std::string time_left(double seconds) {
+  if (seconds < 120) return std::to_string(std::lround(seconds)) + " s";
+  if (seconds < 7200) return std::to_string(std::lround(seconds / 60)) + " min";
+  const auto tenths = std::lround(seconds / 360);
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " h";
 }
 
 std::string line_of(const bench::Progress& progress) {
   std::string line = std::to_string(progress.done) + "/" + std::to_string(progress.total) + " cells";
   if (progress.failures > 0) line += ", " + std::to_string(progress.failures) + " failed";
-  if (progress.done < progress.total) line += ", about " + time_left(progress.seconds_left) + " left";
+  if (progress.done < progress.total && progress.seconds_left)
+    line += ", about " + time_left(*progress.seconds_left) + " left";
   return line;
 }
 

@@ -66,10 +66,6 @@ json comparison_document(const Comparison& comparison) {
   return document;
 }
 
-std::string span_text(const bench::Interval& interval) {
-  return three_digits(interval.low) + " to " + three_digits(interval.high);
-}
-
 std::vector<std::string> time_row(const Standing& standing) {
   std::vector<std::string> row{standing.contestant, describe(standing.course), std::to_string(standing.n)};
   if (standing.seconds.empty()) {

@@ -1,7 +1,6 @@
 // tribunal refine: a user's boundary to a mesh with Steiner points.
 #include "algorithms/constrained/polygons.hpp"
 #include "algorithms/mesh/canonical.hpp"
-#include "algorithms/refinement/shape.hpp"
 #include "algorithms/refiners.hpp"
 #include "algorithms/verify/verify.hpp"
 #include "bench/measure.hpp"
@@ -89,18 +88,6 @@ Run refine_once(const refinement::Refiner& refiner, const Settings& settings, co
   return run;
 }
 
-/// Extreme angles in degrees; null where there is no triangle.
-json angles_json(const refinement::Refined& mesh) {
-  if (mesh.triangles.empty()) return {{"largest", nullptr}, {"smallest", nullptr}};
-  double smallest = 180, largest = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const auto [least, most] = refinement::extreme_angles({mesh.points[a], mesh.points[b], mesh.points[c]});
-    smallest = std::min(smallest, least);
-    largest = std::max(largest, most);
-  }
-  return {{"largest", largest}, {"smallest", smallest}};
-}
-
 json stats_json(const RefineOptions& options, const Settings& settings, const GraphInput& input,
                 const Run& run) {
   const auto& [report, mesh, counts] = run.refined;
@@ -115,7 +102,7 @@ json stats_json(const RefineOptions& options, const Settings& settings, const Gr
              {"subsegments", mesh.subsegments.size()},
              {"outcome", to_string(report.mesh.outcome)},
              {"reason", report.mesh.reason},
-             {"angles", angles_json(mesh)},
+             {"angles", angles_json(mesh.points, mesh.triangles)},
              {"counts", json::object()},
              {"predicates", predicates_json(run.predicates)},
              {"digest", to_hex(digest(mesh.triangles))},
@@ -124,12 +111,17 @@ json stats_json(const RefineOptions& options, const Settings& settings, const Gr
   return stats;
 }
 
+/// Splits that are rounded may bend the boundary of a hull inwards: it is no hull then, but still held.
+std::string_view written_domain(Domain domain) {
+  return to_string(domain == Domain::hull ? Domain::carved : domain);
+}
+
 void write_outputs(const RefineOptions& options, const GraphInput& input, const RefinedGraph& refined) {
   const auto& mesh = refined.mesh;
   const std::vector<Edge> segments = subsegments_of(refined);
   if (!options.output.empty()) write_mesh(options.output, mesh.points, mesh.triangles);
   if (!options.output.empty() && options.output != "-" && mesh_files(options.output).size() > 1)
-    write_poly(poly_beside(options.output), segments, input.file.holes, to_string(input.domain));
+    write_poly(poly_beside(options.output), segments, input.file.holes, written_domain(input.domain));
   Picture(options.picture, options.boundary, input.file.sites, {})
       .draw(mesh.points, mesh.triangles, segments);
 }
@@ -137,8 +129,7 @@ void write_outputs(const RefineOptions& options, const GraphInput& input, const 
 TableRows summary(const json& stats) {
   constexpr std::array keys{"algorithm", "backend", "n", "segments", "vertices", "triangles", "outcome"};
   TableRows rows = rows_of(stats, keys);
-  for (const char* which : {"smallest", "largest"})
-    rows.push_back({std::string(which) + " angle", plain_text(stats.at("angles").at(which))});
+  for (const auto& row : angle_rows(stats.at("angles"))) rows.push_back(row);
   for (const auto& [name, value] : stats.at("counts").items()) rows.push_back({name, plain_text(value)});
   rows.push_back({"seconds", plain_text(stats.at("seconds"))});
   return rows;
@@ -153,7 +144,7 @@ int refine(const RefineOptions& options, Console& console) {
   check_picture(options.picture);
   if (options.picture.colour == "field")
     throw BadUsage("--colour field: new points have no values; there are plain, angle and smallest-angle");
-  check_outputs({.inputs = {options.boundary},
+  check_outputs({.inputs = {options.boundary, options.picture.against},
                  .mesh = options.output,
                  .boundary = true,
                  .stats = options.stats,

@@ -1,9 +1,12 @@
 #include "cli/statistics.hpp"
 
+#include "algorithms/refinement/shape.hpp"
 #include "datasets/files/text.hpp"
 #include "reports/text.hpp"
 
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 namespace tribunal::cli {
 
@@ -16,6 +19,22 @@ TableRows rows_of(const nlohmann::json& object, std::span<const char* const> key
   TableRows rows;
   for (const char* key : keys) rows.push_back({key, plain_text(object.at(key))});
   return rows;
+}
+
+nlohmann::json angles_json(std::span<const Point2> points, std::span<const Triangle> triangles) {
+  if (triangles.empty()) return {{"largest", nullptr}, {"smallest", nullptr}};
+  double smallest = 180, largest = 0;
+  for (const auto& [a, b, c] : triangles) {
+    const auto [least, most] = refinement::extreme_angles({points[a], points[b], points[c]});
+    smallest = std::min(smallest, least);
+    largest = std::max(largest, most);
+  }
+  return {{"largest", largest}, {"smallest", smallest}};
+}
+
+TableRows angle_rows(const nlohmann::json& angles) {
+  return {{"smallest angle", plain_text(angles.at("smallest"))},
+          {"largest angle", plain_text(angles.at("largest"))}};
 }
 
 void tell(const nlohmann::json& statistics, const TableRows& rows, const std::string& mesh,

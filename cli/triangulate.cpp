@@ -63,7 +63,7 @@ void check_request(const TriangulateOptions& options, const Console& console) {
     throw BadUsage("-n goes with a dataset's name, not with a file");
   }
   check_picture(options.picture);
-  check_outputs({.inputs = {options.points},
+  check_outputs({.inputs = {options.points, options.picture.against},
                  .mesh = options.mesh,
                  .boundary = true,
                  .stats = options.stats,
@@ -197,6 +197,7 @@ json stats_json(const TriangulateOptions& options, const Method& method, const I
       {"reason", t.reason},
       {"dimension", t.dimension},
       {"triangles", t.triangles.size()},
+      {"angles", angles_json(input.points().points, t.triangles)},
       {"edges", t.edges},
       {"hull", t.hull},
       {"history", history},
@@ -266,7 +267,10 @@ int triangulate(const TriangulateOptions& options, Console& console) {
     console.log << to_string(result.outcome) << ": " << result.reason << '\n';
   constexpr std::array keys{"algorithm", "backend", "n",   "duplicates", "outcome", "dimension",
                             "triangles", "hull",    "tau", "flips",      "digest",  "seconds"};
-  tell(stats, refused ? TableRows{} : rows_of(stats, keys), options.mesh, options.stats, console);
+  TableRows rows = refused ? TableRows{} : rows_of(stats, keys);
+  if (!result.triangles.empty())
+    for (const auto& row : angle_rows(stats.at("angles"))) rows.push_back(row);
+  tell(stats, rows, options.mesh, options.stats, console);
   if (refused) throw BadInput(result.reason);
   return result.outcome == Outcome::ok ? good : judged_bad;
 }

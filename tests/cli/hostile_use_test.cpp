@@ -30,6 +30,16 @@ TEST(HostileUse, ClosedStandardOutputIsAnError) {
             0);
 }
 
+TEST(HostileUse, DevicesThatNeverEndAreBadInput) {
+  for (const char* arguments : {"triangulate -", "verify - x.ele", "run /dev/zero -o never"}) {
+    const std::string command =
+        std::string(TRIBUNAL_PROGRAM) + " " + arguments + " </dev/zero >/dev/null 2>/dev/null";
+    const int status = std::system(command.c_str());
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 2) << arguments;
+  }
+  EXPECT_FALSE(std::filesystem::exists("never"));
+}
+
 TEST(HostileUse, AMeshOverOtherVerticesIsNotVerified) {
   const Folder folder;
   const std::string points = folder.write("p.xy", "0 0\n1 0\n0 1\n");

@@ -84,6 +84,12 @@ TEST(Optimize, RefusesWhatItCannotUse) {
 }
 
 /// The two widest points are farther apart than any double: 1.7 to either side of a height of 1.
+TEST(Optimize, PointsAndMeshCannotBothBeStandardInput) {
+  const Ended ended = tribunal({"optimize", "-", "-"}, "0 0\n1 0\n0 1\n");
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_NE(ended.err.find("both want standard input"), std::string::npos) << ended.err;
+}
+
 TEST(Optimize, AnglesAreRightWhereDifferencesOverflow) {
   const Folder folder;
   const std::string points = folder.write("p.xy", "-1.7e308 0\n1.7e308 0\n0 1e308\n"),

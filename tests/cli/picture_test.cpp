@@ -99,6 +99,25 @@ TEST(Pictures, AgainstItselfNothingStandsOut) {
   EXPECT_TRUE(draw("data-dependent"));
 }
 
+TEST(Pictures, TheMeshThatTheyAreAgainstIsNotOverwritten) {
+  const Folder folder;
+  const std::string points = folder.write("p.xy", "0 0\n1 0\n1 1\n0 1\n"),
+                    mesh =
+                        folder.write("m.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"),
+                    other =
+                        folder.write("o.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 3\n3 1 2 3\n"),
+                    before = read(other), picture = folder / "x.svg";
+  for (const char* option : {"-o", "--stats"}) {
+    const Ended optimized =
+        tribunal({"optimize", points, mesh, "--picture", picture, "--against", other, option, other});
+    EXPECT_EQ(optimized.status, 2);
+    EXPECT_NE(optimized.err.find("o.off would overwrite the input"), std::string::npos) << optimized.err;
+    EXPECT_EQ(
+        tribunal({"triangulate", points, "--picture", picture, "--against", other, option, other}).status, 2);
+  }
+  EXPECT_EQ(read(other), before);
+}
+
 TEST(DataDependent, ReadsTheThirdColumn) {
   const Folder folder;
   const std::string with = folder.write("with.xy", roof()),

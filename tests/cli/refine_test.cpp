@@ -12,6 +12,18 @@ const char* const frame =
     "8 2 0 0\n0 0 0\n1 8 0\n2 8 8\n3 0 8\n4 3 3\n5 5 3\n6 5 5\n7 3 5\n"
     "8 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n4 4 5\n5 5 6\n6 6 7\n7 7 4\n1\n0 4 4\n";
 
+/// Rounded splits bend a boundary that is not parallel to an axis: what is written must still be judged
+/// right.
+TEST(Refine, WhatItWritesOfAHullIsVerified) {
+  const Folder folder;
+  const std::string lines = folder.write("h.wkt", "POINT(0 1)\nLINESTRING(0 0,3 1)\n");
+  for (const char* size : {"size=0.9", "size=0.3", "size=0.1"}) {
+    ASSERT_EQ(tribunal({"refine", lines, "--set", size, "-o", folder / "h.ele"}).status, 0);
+    const Ended verified = tribunal({"verify", folder / "h.poly", folder / "h.ele", "--kind", "constrained"});
+    EXPECT_EQ(verified.status, 0) << verified.out;
+  }
+}
+
 TEST(Refine, WritesAMeshThatVerifies) {
   const Folder folder;
   const std::string boundary = folder.write("frame.poly", frame), mesh = folder / "mesh.ele";
