@@ -1,6 +1,6 @@
 #include "cli/outputs.hpp"
 
-#include "datasets/files/files.hpp"
+#include "datasets/files/pslg.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -21,7 +21,7 @@ std::vector<fs::path> files_written(const Outputs& outputs) {
   std::vector<fs::path> files;
   if (!outputs.mesh.empty() && outputs.mesh != "-") {
     for (const fs::path& file : mesh_files(outputs.mesh)) files.push_back(file);
-    if (outputs.boundary && files.size() > 1) files.emplace_back(poly_beside(outputs.mesh));
+    if (outputs.boundary && files.size() > 1) files.push_back(poly_beside(outputs.mesh));
   }
   for (const std::string& file : {outputs.stats, outputs.picture})
     if (!file.empty() && file != "-") files.emplace_back(file);
@@ -62,10 +62,6 @@ void check_outputs(const Outputs& outputs, const Console& console) {
   std::ranges::sort(places);
   const auto twice = std::ranges::adjacent_find(places);
   if (twice != places.end()) throw BadUsage(twice->string() + ": two outputs want this file");
-}
-
-std::string poly_beside(const std::string& mesh) {
-  return fs::path(mesh).replace_extension(".poly").string();
 }
 
 }  // namespace tribunal::cli

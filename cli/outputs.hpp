@@ -21,7 +21,4 @@ struct Outputs {
 /// file or both standard output, and where a file cannot be made for want of a folder.
 void check_outputs(const Outputs& outputs, const Console& console);
 
-/// The .poly beside a mesh.
-std::string poly_beside(const std::string& mesh);
-
 }  // namespace tribunal::cli

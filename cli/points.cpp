@@ -15,8 +15,7 @@ namespace {
 int write_graph(const PointsOptions& options, const Dataset& dataset, Console& console) {
   DatasetGraph graph = generate_graph(dataset, options.n, options.seed);
   if (options.bits != 0) graph = quantise(std::move(graph), options.bits);
-  write_points(std::filesystem::path(options.output).replace_extension(".node"), graph.points);
-  write_poly(options.output, graph.segments, graph.holes, "carved");
+  write_poly(options.output, graph.points, {graph.segments, graph.holes, "carved"});
   if (console.json)
     print_json(console, {{"dataset", options.dataset},
                          {"seed", options.seed},

@@ -119,9 +119,9 @@ std::string_view written_domain(Domain domain) {
 void write_outputs(const RefineOptions& options, const GraphInput& input, const RefinedGraph& refined) {
   const auto& mesh = refined.mesh;
   const std::vector<Edge> segments = subsegments_of(refined);
-  if (!options.output.empty()) write_mesh(options.output, mesh.points, mesh.triangles);
-  if (!options.output.empty() && options.output != "-" && mesh_files(options.output).size() > 1)
-    write_poly(poly_beside(options.output), segments, input.file.holes, written_domain(input.domain));
+  if (!options.output.empty())
+    write_bounded_mesh(options.output, mesh.points, mesh.triangles,
+                       {segments, input.file.holes, written_domain(input.domain)});
   Picture(options.picture, options.boundary, input.file.sites, {})
       .draw(mesh.points, mesh.triangles, segments);
 }

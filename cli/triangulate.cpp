@@ -225,13 +225,13 @@ void report_duplicates(const PointFile& file, const Triangulation& t, const Tria
 void write_outputs(const TriangulateOptions& options, const Input& input, const Run& run,
                    const Picture& picture) {
   const auto& points = input.points().points;
-  const bool with_segments = input.with_segments.has_value();
-  if (!options.mesh.empty()) write_mesh(options.mesh, points, run.result.triangles);
-  if (!options.mesh.empty() && with_segments && mesh_files(options.mesh).size() > 1)
-    write_poly(poly_beside(options.mesh), input.with_segments->file.segments, input.with_segments->file.holes,
-               to_string(input.with_segments->domain));
-  picture.draw(points, run.result.triangles,
-               with_segments ? run.constrained->constraints : std::vector<Edge>{});
+  const auto& graph = input.with_segments;
+  if (!options.mesh.empty() && graph)
+    write_bounded_mesh(options.mesh, points, run.result.triangles,
+                       {graph->file.segments, graph->file.holes, to_string(graph->domain)});
+  else if (!options.mesh.empty())
+    write_mesh(options.mesh, points, run.result.triangles);
+  picture.draw(points, run.result.triangles, graph ? run.constrained->constraints : std::vector<Edge>{});
 }
 
 }  // namespace

@@ -25,6 +25,9 @@ struct Format {
   const Format* points_beside = nullptr;
 };
 
+/// The text of a .poly file whose points are in a .node file beside it.
+std::string poly_text(const PolyBoundary& boundary);
+
 extern const Format xy;
 extern const Format xyz;
 extern const Format csv;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <vector>
 
 namespace tribunal {
 namespace {
@@ -30,6 +31,19 @@ const Format& format_of(const std::filesystem::path& path, const Format& piped, 
 
 const Format& mesh_format(const std::filesystem::path& path) {
   return format_of(path, files::off, "meshes", [](const Format& f) { return f.write_mesh != nullptr; });
+}
+
+/// A mesh and, where its points are a file beside it, those and the boundary, if there is one.
+void write_with_beside(const std::filesystem::path& path, std::span<const Point2> points,
+                       std::span<const files::Triangle> triangles, const PolyBoundary* boundary) {
+  const Format& format = mesh_format(path);
+  const std::string mesh = format.write_mesh(points, triangles);
+  if (format.points_beside == nullptr) return write_text(path, mesh);
+  const std::string sites = format.points_beside->write_points(points),
+                    poly = boundary != nullptr ? files::poly_text(*boundary) : "";
+  std::vector<TextFile> together{{mesh_files(path)[1], sites}, {path, mesh}};
+  if (boundary != nullptr) together.push_back({poly_beside(path), poly});
+  write_texts(together);
 }
 }  // namespace
 
@@ -81,11 +95,24 @@ std::vector<std::filesystem::path> mesh_files(const std::filesystem::path& path)
 
 void write_mesh(const std::filesystem::path& path, std::span<const Point2> points,
                 std::span<const std::array<std::uint32_t, 3>> triangles) {
-  const Format& format = mesh_format(path);
-  const std::string mesh = format.write_mesh(points, triangles);
-  if (format.points_beside == nullptr) return write_text(path, mesh);
-  const std::string beside = format.points_beside->write_points(points);
-  write_texts(std::array{TextFile{mesh_files(path)[1], beside}, TextFile{path, mesh}});
+  write_with_beside(path, points, triangles, nullptr);
+}
+
+void write_poly(const std::filesystem::path& path, std::span<const Point2> points,
+                const PolyBoundary& boundary) {
+  const std::string sites = files::node.write_points(points), text = files::poly_text(boundary);
+  const auto node = std::filesystem::path(path).replace_extension(files::node.about.name);
+  write_texts(std::array{TextFile{node, sites}, TextFile{path, text}});
+}
+
+std::filesystem::path poly_beside(const std::filesystem::path& mesh) {
+  return std::filesystem::path(mesh).replace_extension(files::poly.about.name);
+}
+
+void write_bounded_mesh(const std::filesystem::path& path, std::span<const Point2> points,
+                        std::span<const std::array<std::uint32_t, 3>> triangles,
+                        const PolyBoundary& boundary) {
+  write_with_beside(path, points, triangles, &boundary);
 }
 
 std::span<const FormatAbout> formats() {

@@ -95,22 +95,10 @@ std::string write_points(std::span<const Point2> points) { return node.write_poi
 
 }  // namespace
 
-constinit const Format poly{
-    .about = {".poly", "points, segments",
-              "planar straight-line graphs of Triangle: points, segments, holes"},
-    .write_points = write_points,
-    .read_pslg = read_pslg,
-};
-
-}  // namespace tribunal::files
-
-namespace tribunal {
-
-void write_poly(const std::filesystem::path& path, std::span<const std::array<std::uint32_t, 2>> segments,
-                std::span<const Point2> holes, std::string_view domain) {
-  using files::append_number;
+std::string poly_text(const PolyBoundary& boundary) {
+  const auto& [segments, holes, domain] = boundary;
   std::string text;
-  if (domain != "carved") text.append(files::domain_line).append(domain).append("\n");
+  if (domain != "carved") text.append(domain_line).append(domain).append("\n");
   text += "0 2 0 0\n";
   append_number(text, segments.size());
   text += " 0\n";
@@ -132,7 +120,14 @@ void write_poly(const std::filesystem::path& path, std::span<const std::array<st
     append_number(text, holes[i][1]);
     text += '\n';
   }
-  write_text(path, text);
+  return text;
 }
 
-}  // namespace tribunal
+constinit const Format poly{
+    .about = {".poly", "points, segments",
+              "planar straight-line graphs of Triangle: points, segments, holes"},
+    .write_points = write_points,
+    .read_pslg = read_pslg,
+};
+
+}  // namespace tribunal::files

@@ -30,9 +30,25 @@ struct PslgFile {
 /// than three points.
 std::optional<PslgFile> read_pslg(const std::filesystem::path& path);
 
-/// A .poly file without points of its own: they are in the .node file beside it, numbered from 0. A domain
-/// that is not "carved" stands in its first line.
-void write_poly(const std::filesystem::path& path, std::span<const std::array<std::uint32_t, 2>> segments,
-                std::span<const Point2> holes, std::string_view domain);
+/// What a .poly file holds of a graph beside its points.
+struct PolyBoundary {
+  std::span<const std::array<std::uint32_t, 2>> segments;
+  std::span<const Point2> holes;
+  std::string_view domain;  ///< one that is not "carved" stands in the first line
+};
+
+/// A .poly file, and beside it the .node file with its points, numbered from 0. Both are complete before the
+/// first replaces its predecessor.
+void write_poly(const std::filesystem::path& path, std::span<const Point2> points,
+                const PolyBoundary& boundary);
+
+/// The .poly that goes beside a mesh.
+std::filesystem::path poly_beside(const std::filesystem::path& mesh);
+
+/// A mesh as `write_mesh` writes it; where its points are a file beside it, a .poly with the boundary, too,
+/// and all are complete before the first replaces its predecessor.
+void write_bounded_mesh(const std::filesystem::path& path, std::span<const Point2> points,
+                        std::span<const std::array<std::uint32_t, 3>> triangles,
+                        const PolyBoundary& boundary);
 
 }  // namespace tribunal

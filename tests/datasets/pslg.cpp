@@ -43,9 +43,8 @@ TEST(Pslg, PolyReadsBackAsItWasWritten) {
   const test::Folder folder;
   const Points points{{{0.1, -0.0}}, {{1e300, 5e-324}}, {{-3, 1.0 / 3}}}, holes{{{0.5, 0.25}}};
   const Segments segments{{2, 0}, {1, 2}};
-  write_points(folder / "a.node", points);
   for (const std::string domain : {"carved", "even-odd", "hull"}) {
-    write_poly(folder / "a.poly", segments, holes, domain);
+    write_poly(folder / "a.poly", points, {segments, holes, domain});
     const auto pslg = read_pslg(folder / "a.poly");
     ASSERT_TRUE(pslg.has_value());
     EXPECT_EQ(pslg->sites.points, points);
