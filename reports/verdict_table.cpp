@@ -35,12 +35,13 @@ std::string summary(std::span<const Tried> trials) {
     ++counts[static_cast<std::size_t>(trial.judgement.verdict)];
     surprises += trial.as_expected() ? 0 : 1;
   }
-  std::string text = std::to_string(trials.size()) + " claims:";
+  std::string text = std::to_string(trials.size()) + (trials.size() == 1 ? " claim:" : " claims:");
   for (std::size_t i = 0; i < counts.size(); ++i)
     if (counts[i] > 0) text += concat(" ", std::to_string(counts[i]), " ", verdict_names[i], ",");
-  text.back() = ';';
-  const bool all_tried = counts[static_cast<std::size_t>(Verdict::untried)] == 0;
-  text += surprises == 0 ? concat(" all ", all_tried ? "" : "that were tried ", "as expected.")
+  const std::size_t untried = counts[static_cast<std::size_t>(Verdict::untried)];
+  text.back() = untried > 0 && untried == trials.size() ? '.' : ';';
+  if (text.back() == '.') return text + "\n";
+  text += surprises == 0 ? concat(" all ", untried == 0 ? "" : "that were tried ", "as expected.")
                          : concat(" ", std::to_string(surprises), " not as expected, marked (!).");
   return concat(text,
                 " Expected false refutations: ", number_text(family(trials).expected_false_refutations, 2),
@@ -51,7 +52,13 @@ std::string summary(std::span<const Tried> trials) {
 
 std::string verdict_table(std::span<const Tried> trials) {
   std::vector<Line> lines{{"claim", "verdict", "measured", "interval", "bound", "about"}};
-  for (const Tried& trial : trials) lines.push_back(line(trial));
+  std::string untried;
+  for (const Tried& trial : trials)
+    if (trial.judgement.verdict != Verdict::untried)
+      lines.push_back(line(trial));
+    else
+      untried += concat(untried.empty() ? "untried: " : ", ", trial.claim.id);
+  if (lines.size() == 1) return summary(trials);
   std::array<std::size_t, 6> widths{};
   for (const Line& cells : lines)
     for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());
@@ -66,6 +73,7 @@ std::string verdict_table(std::span<const Tried> trials) {
     row += cells.back();
     table += row + "\n";
   }
+  if (!untried.empty()) table += concat("\n", untried, "\n");
   return table + "\n" + summary(trials);
 }
 

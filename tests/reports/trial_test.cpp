@@ -71,5 +71,14 @@ TEST(VerdictTable, marks_surprises_and_sums_up) {
   EXPECT_NE(verdict_table({}).find("0 claims"), std::string::npos);
 }
 
+TEST(VerdictTable, names_untried_claims_in_one_line) {
+  std::vector<Tried> trials = three_trials();
+  trials[2].claim.title = "About nothing";
+  const std::string table = verdict_table(trials);
+  EXPECT_NE(table.find("\nuntried: " + trials[2].claim.id + "\n"), std::string::npos) << table;
+  EXPECT_EQ(table.find(trials[2].claim.title), std::string::npos) << table;
+  EXPECT_EQ(verdict_table(std::span(trials).subspan(2)), "1 claim: 1 untried.\n");
+}
+
 }  // namespace
 }  // namespace tribunal::reports
