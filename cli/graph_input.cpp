@@ -60,6 +60,10 @@ GraphInput graph_input(std::string path, PslgFile file, const Settings& settings
   if (!constrained::splits_crossings(settings)) return input;
   try {
     split(input);
+  } catch (const UnsettledCrossing& crossing) {
+    const auto [first, second] = crossing.segments;
+    throw BadInput(input.place(second) + ": where this segment and that of line " +
+                   std::to_string(input.file.segment_lines[first]) + " cross, " + crossing.what());
   } catch (const Abandon& abandon) {
     throw BadInput(input.path + ": " + abandon.what());
   }

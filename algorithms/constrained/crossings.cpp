@@ -6,6 +6,7 @@
 #include "predicates/formulas/segment_intersection.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -14,10 +15,21 @@
 namespace tribunal {
 namespace {
 
-constexpr int most_rounds = 64;
-/// Near an axis doubles are much finer in one direction than in the other, so that each round may bend pieces
-/// across each other a little farther on. From this round on, crossing points go to a lattice.
-constexpr int rounds_of_doubles = 8;
+constexpr int most_rounds = 128;
+/// Pieces of more than so many times what the first round makes are a sign that rounding makes more crossings
+/// than it ends.
+constexpr std::size_t most_growth = 64;
+/// Of pieces that are nearly parallel each round may bend one across another a little farther on, by a
+/// double, and near an axis doubles are fine without end. After so many rounds that leave no fewer crossings
+/// than there were, crossing points go to coarser numbers: what crosses close to a coordinate that is there
+/// already goes to that one, so that pieces meet in vertices they have.
+constexpr int patience = 8;
+
+/// What crossing points are rounded to after so many rounds in vain: slowly coarser, for what is coarse among
+/// fine pieces crosses more of them.
+CoarseNumbers coarse_numbers(std::span<const Point2> points, int rounds) {
+  return {points, 1 + rounds / 16, 2 * rounds - 60};
+}
 
 /// A crossing on a segment: where exactly, and the index of the point that stands for it.
 struct Crossing {
@@ -37,14 +49,23 @@ class Splitter {
   }
 
   SplitGraph run() {
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();
+    std::size_t first = 0;
+    int stalled = 0;
+    Edge last{};
     for (int round = 0; round < most_rounds; ++round) {
-      if (round == rounds_of_doubles) lattice_.emplace(split_.points);
       bind();
       const std::vector<Edge> pairs = crossing_pairs();
       if (pairs.empty()) return std::move(split_);
+      stalled += pairs.size() >= fewest;
+      fewest = std::min(fewest, pairs.size());
+      if (stalled >= patience) coarse_ = coarse_numbers(split_.points, stalled - patience);
+      last = {split_.origin[pairs[0][0]], split_.origin[pairs[0][1]]};
       split_at(pairs);
+      if (round == 0) first = split_.segments.size();
+      if (split_.segments.size() > most_growth * first) break;
     }
-    throw Abandon(Outcome::refused_input, "crossings of segments do not settle when they are rounded");
+    throw UnsettledCrossing(last);
   }
 
  private:
@@ -85,7 +106,7 @@ class Splitter {
   }
 
   Index point_at(const RationalPoint& exact) {
-    const Point2 rounded = lattice_ ? lattice_->nearest(exact) : nearest(exact);
+    const Point2 rounded = coarse_ ? coarse_->nearest(exact) : nearest(exact);
     const auto [found, is_new] = index_.try_emplace(rounded, static_cast<Index>(split_.points.size()));
     if (is_new) split_.points.push_back(rounded);
     if (is_new && !(exact == rational(rounded))) ++split_.rounded;
@@ -184,7 +205,7 @@ class Splitter {
   SplitGraph split_;
   std::map<Point2, Index> index_;  // of each position, its first point
   std::unique_ptr<const Kernel2> kernel_;
-  std::optional<RoundingLattice> lattice_;
+  std::optional<CoarseNumbers> coarse_;
 };
 
 }  // namespace

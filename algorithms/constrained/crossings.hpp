@@ -2,6 +2,7 @@
 // inside out.
 #pragma once
 
+#include "algorithms/abandon.hpp"
 #include "algorithms/constrained/graph.hpp"
 
 namespace tribunal {
@@ -18,15 +19,25 @@ struct SplitGraph {
   Graph graph(const Graph& original) const { return {points, segments, original.holes, original.domain}; }
 };
 
+/// Rounding crossing points makes new crossings without end; two segments of the graph that take part.
+struct UnsettledCrossing : Abandon {
+  explicit UnsettledCrossing(Edge pair)
+      : Abandon(Outcome::refused_input, "crossings of segments do not settle when they are rounded"),
+        segments(pair) {}
+  Edge segments;
+};
+
 /// Splits segments where two of them cross inside both. Crossing points are computed as rationals and rounded
 /// to the nearest doubles; a piece that ends at a rounded point is no longer on its segment, by at most half
-/// a unit in the last place. Where that does not settle in a few rounds, the points that are still to come go
-/// to the lattice of the last place of the largest coordinate. A vertex that would change sides of a segment
-/// by that becomes a vertex of it instead, and whatever crosses anew is split again, until nothing crosses:
-/// all by exact signs. Vertices on segments that are not split, and overlaps, are left as they are.
+/// a unit in the last place. Where that does not settle, the points that are still to come go to coarser and
+/// coarser numbers, those of the vertices that are there among them. A vertex that
+/// would change sides of a segment by that becomes a vertex of it instead, and whatever crosses anew is split
+/// again, until nothing crosses: all by exact signs. Vertices on segments that are not split, and overlaps,
+/// are left as they are.
 ///
-/// Throws Abandon: refused_input where crossings do not settle in `most_rounds` rounds, or a point is not
-/// finite. O(n log n) and the pairs of segments whose boxes overlap in x.
+/// Throws UnsettledCrossing after `most_rounds` rounds or `most_growth` times the pieces of the first one,
+/// and Abandon (refused_input) where a point is not finite. O(n log n) and the pairs of segments whose boxes
+/// overlap in x.
 SplitGraph split_crossings(const Graph& graph);
 
 }  // namespace tribunal

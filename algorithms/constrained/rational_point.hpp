@@ -28,18 +28,23 @@ RationalPoint intersection(Point2 a, Point2 b, Point2 c, Point2 d);
 /// The nearest doubles, ties to even; the coordinates are in the range of doubles.
 Point2 nearest(const RationalPoint& p);
 
-/// The numbers that a coordinate may be rounded to: multiples of one unit, and some that are there already.
-/// Rounding to the nearest of a fixed set is monotone, and keeps what is in it.
-class RoundingLattice {
+/// The numbers that a coordinate may be rounded to: those of fewer places than doubles have, none of them
+/// finer than a unit, and some that are there already. Rounding to the nearest of a fixed set is monotone,
+/// and keeps what is in it.
+class CoarseNumbers {
  public:
-  /// Of coordinates that are there, not none; the unit is that of the last place of the largest of them all.
-  explicit RoundingLattice(std::span<const Point2> points);
+  /// Of coordinates that are there, not none. `dropped` of the 53 binary places are left out, from 0 on; the
+  /// finest unit is that of the last place of the largest coordinate, times 2^exponent.
+  CoarseNumbers(std::span<const Point2> points, int dropped, int exponent);
 
   /// The nearest ones, ties downwards; p lies in the box of the points. O(log n).
   Point2 nearest(const RationalPoint& p) const;
 
  private:
-  double unit_;
+  double nearest_of(const mpq_class& value, const std::vector<double>& kept) const;
+
+  int dropped_;
+  double finest_;
   std::array<std::vector<double>, 2> kept_;  ///< by axis, sorted
 };
 

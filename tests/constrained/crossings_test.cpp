@@ -35,9 +35,9 @@ std::vector<Index> chain_of(const SplitGraph& split, Index segment) {
   return chain;
 }
 
-/// The chain runs from end to end, monotone, within two units in the last place, and no point is on its other
-/// side.
-void expect_faithful(const LatticeGraph& graph, const SplitGraph& split, Index segment) {
+/// The chain runs from end to end, monotone, within so many units in the last place, and no point is on its
+/// other side.
+void expect_faithful(const LatticeGraph& graph, const SplitGraph& split, Index segment, int units) {
   const auto [a, b] = graph.segments[segment];
   const Point2 from = graph.points[a], to = graph.points[b];
   const auto chain = chain_of(split, segment);
@@ -59,14 +59,15 @@ void expect_faithful(const LatticeGraph& graph, const SplitGraph& split, Index s
     const RationalPoint u = rational(from), v = rational(to);
     const mpq_class across = cross_product(u, v, rational(q));
     const mpq_class length2 = (v.x - u.x) * (v.x - u.x) + (v.y - u.y) * (v.y - u.y);
-    EXPECT_LE(across * across, 4 * unit * unit * length2);
+    EXPECT_LE(across * across, units * units * unit * unit * length2);
   }
 }
 
-void expect_settled(const LatticeGraph& graph, Domain domain = Domain::hull) {
+void expect_settled(const LatticeGraph& graph, int units = 2) {
+  constexpr Domain domain = Domain::hull;
   const SplitGraph split = split_crossings(graph.as(domain));
   ASSERT_EQ(split.segments.size(), split.origin.size());
-  for (Index s = 0; s < graph.segments.size(); ++s) expect_faithful(graph, split, s);
+  for (Index s = 0; s < graph.segments.size(); ++s) expect_faithful(graph, split, s, units);
   for (std::size_t i = 0; i < graph.points.size(); ++i) EXPECT_EQ(split.points[i], graph.points[i]);
   const Kernel2Binding bound = find_backend("filtered")->bind2(split.points);
   const auto t = triangulate_graph(split.graph(graph.as(domain)),
@@ -160,9 +161,44 @@ TEST(Crossings, SplitWhereDoublesAreFinerInOneDirection) {
   }
 }
 
-TEST(Crossings, TheRoundingLatticeKeepsWhatIsThereAndIsMonotone) {
+// Pieces that end in one point and cross a third segment near it, one unit of the lattice farther on each
+// time.
+TEST(Crossings, SplitWherePiecesLeapOverEachOther) {
+  LatticeGraph three;
+  three.points = {{{0.2, 0.9999999999999973}},
+                  {{0.4, 0.9999999999999982}},
+                  {{0.8, 0.9999999999999982}},
+                  {{1000.2, 1.0}},
+                  {{1000.4, 1.0000000000000018}}};
+  three.segments = {{0, 4}, {1, 3}, {3, 2}};
+  expect_settled(three);
+}
+
+TEST(Crossings, SplitBundlesOfDoublesNextToEachOther) {
+  Random random(31);
+  for (int round = 0; round < 12 && !HasFailure(); ++round) {
+    std::vector<Point2> points;
+    const auto height = [&] { return 1 + (static_cast<double>(random.below(19)) - 9) * 0x1p-52; };
+    const double length = round % 2 == 0 ? 10 : 1000;
+    const bool diagonal = round % 3 == 0;
+    for (int line = 0; line < 30; ++line) {
+      for (const double start : {0.0, length}) {
+        const double x = start + random.unit();
+        points.push_back({{x, diagonal ? x * height() : height()}});
+      }
+    }
+    // What crosses the bundle stays where it is, too.
+    for (int line = 0; line < 3; ++line) {
+      points.push_back({{length * random.unit(), -1}});
+      points.push_back({{length * random.unit(), length + 1}});
+    }
+    expect_settled(segments_between(std::move(points)), 8);
+  }
+}
+
+TEST(Crossings, CoarseNumbersKeepWhatIsThereAndAreMonotone) {
   const std::vector<Point2> there{{{0.0, -4.0}}, {{3.25, 1e-20}}, {{1e-300, 1.0}}};
-  const RoundingLattice lattice(there);
+  const CoarseNumbers lattice(there, 0, 0);
   for (const Point2& p : there) EXPECT_EQ(lattice.nearest(rational(p)), p);
   const double unit = std::ldexp(1.0, -50);  // of the last place of 4
   EXPECT_EQ(lattice.nearest({mpq_class(1) + mpq_class(unit) / 3, mpq_class(unit) * 2 / 3}),
@@ -176,6 +212,16 @@ TEST(Crossings, TheRoundingLatticeKeepsWhatIsThereAndIsMonotone) {
     EXPECT_LE(last[1], here[1]);
     last = here;
   }
+}
+
+TEST(Crossings, CoarseNumbersHaveFewerPlaces) {
+  const std::vector<Point2> there{{{-4.0, -4.0}}, {{4.0, 4.0}}, {{1.0000000000000002, 0.3}}};
+  const CoarseNumbers coarse(there, 3, -20);
+  const auto rounded = [&](double value) { return coarse.nearest({mpq_class(value), mpq_class(value)}); };
+  EXPECT_EQ(rounded(1 + 3 * 0x1p-49), (Point2{{1 + 3 * 0x1p-49, 1 + 3 * 0x1p-49}}));
+  EXPECT_EQ(rounded(1 + 3 * 0x1p-52), (Point2{{1.0000000000000002, 1}})) << "x is there, or 2^-49 apart";
+  EXPECT_EQ(rounded(-0.75 + 0x1p-53), (Point2{{-0.75, -0.75}}));
+  EXPECT_EQ(rounded(0x1.8p-71), (Point2{{0x1p-70, 0x1p-70}})) << "none is finer than 2^-70";
 }
 
 TEST(Crossings, NearestDoubles) {
