@@ -47,7 +47,8 @@ std::string GraphInput::place(Index segment) const {
 std::string_view to_string(Domain domain) { return domain_names[static_cast<std::size_t>(domain)]; }
 
 Domain domain_named(const std::string& name, const PslgFile& file) {
-  const auto found = std::ranges::find(domain_names, name == "auto" ? file.domain : name);
+  const std::string& meant = file.segments.empty() ? "hull" : file.domain;
+  const auto found = std::ranges::find(domain_names, name == "auto" ? meant : name);
   if (found != domain_names.end()) return static_cast<Domain>(found - domain_names.begin());
   throw BadUsage("there is no domain '" + name + "'; there are hull, carved, even-odd, auto");
 }

@@ -24,7 +24,8 @@ struct GraphInput {
   std::string place(Index segment) const;
 };
 
-/// hull, carved, even-odd or auto, which is what the file's segments mean; throws BadUsage.
+/// hull, carved, even-odd or auto, which is what the file's segments mean, hull where there are none; throws
+/// BadUsage.
 Domain domain_named(const std::string& name, const PslgFile& file);
 std::string_view to_string(Domain domain);
 

@@ -40,6 +40,8 @@ struct Method {
   const BackendEntry& backend;
   std::string order_name;
   Order order;
+
+  bool keeps_segments() const { return algorithm.about.name == "constrained"; }
 };
 
 Method method_of(const TriangulateOptions& options) {
@@ -57,7 +59,7 @@ struct Input {
   const PointFile& points() const { return with_segments ? with_segments->file.sites : alone; }
 };
 
-void check_request(const TriangulateOptions& options, const Console& console) {
+void check_request(const TriangulateOptions& options, const Method& method, const Console& console) {
   if (options.n != 0 && !names_dataset(options)) {
     if (options.points != "-" && !fs::exists(options.points)) dataset_named(options.points);
     throw BadUsage("-n goes with a dataset's name, not with a file");
@@ -65,7 +67,7 @@ void check_request(const TriangulateOptions& options, const Console& console) {
   check_picture(options.picture);
   check_outputs({.inputs = {options.points, options.picture.against},
                  .mesh = options.mesh,
-                 .boundary = true,
+                 .boundary = method.keeps_segments(),
                  .stats = options.stats,
                  .picture = options.picture.file},
                 console);
@@ -73,7 +75,7 @@ void check_request(const TriangulateOptions& options, const Console& console) {
 
 /// Without segments there is no domain but the hull.
 void require_hull(const TriangulateOptions& options, const Method& method) {
-  if (method.algorithm.about.name != "constrained") return;
+  if (!method.keeps_segments()) return;
   if (constrained::domain(method.settings).value_or(Domain::hull) != Domain::hull)
     throw BadUsage(options.points +
                    " holds no segments that could bound a domain; without them it is the hull");
@@ -90,9 +92,12 @@ Input input_of(const TriangulateOptions& options, const Method& method) {
   std::optional<PslgFile> file = read_pslg(options.points);
   if (!file)
     input.alone = read_points(options.points);
+  else if (file->segments.empty() && !file->holes.empty())
+    throw BadInput(options.points + ":" + std::to_string(file->hole_lines[0]) +
+                   ": a hole, but there are no segments to bound it");
   else if (file->segments.empty())
     input.alone = std::move(file->sites);
-  else if (method.algorithm.about.name != "constrained")
+  else if (!method.keeps_segments())
     throw BadUsage(options.points + " holds segments, which " + options.algorithm +
                    " would lose; --algorithm constrained keeps them");
   else
@@ -221,14 +226,15 @@ void report_duplicates(const PointFile& file, const Triangulation& t, const Tria
                 << file.lines[first] << ", merged\n";
 }
 
-/// Mesh and picture. Beside an .ele with its .node goes a .poly with the segments.
-void write_outputs(const TriangulateOptions& options, const Input& input, const Run& run,
-                   const Picture& picture) {
+/// Mesh and picture. Beside a constrained mesh goes a .poly with its segments, even if there are none.
+void write_outputs(const TriangulateOptions& options, const Method& method, const Input& input,
+                   const Run& run, const Picture& picture) {
   const auto& points = input.points().points;
   const auto& graph = input.with_segments;
-  if (!options.mesh.empty() && graph)
-    write_bounded_mesh(options.mesh, points, run.result.triangles,
-                       {graph->file.segments, graph->file.holes, to_string(graph->domain)});
+  PolyBoundary boundary{{}, {}, to_string(Domain::hull)};
+  if (graph) boundary = {graph->file.segments, graph->file.holes, to_string(graph->domain)};
+  if (!options.mesh.empty() && method.keeps_segments())
+    write_bounded_mesh(options.mesh, points, run.result.triangles, boundary);
   else if (!options.mesh.empty())
     write_mesh(options.mesh, points, run.result.triangles);
   picture.draw(points, run.result.triangles, graph ? run.constrained->constraints : std::vector<Edge>{});
@@ -238,7 +244,7 @@ void write_outputs(const TriangulateOptions& options, const Input& input, const 
 
 int triangulate(const TriangulateOptions& options, Console& console) {
   const Method method = method_of(options);
-  check_request(options, console);
+  check_request(options, method, console);
   const Input input = input_of(options, method);
   require_values(method, input, options.points);
   const Picture picture(options.picture, options.points, input.points(), method.settings);
@@ -261,7 +267,7 @@ int triangulate(const TriangulateOptions& options, Console& console) {
   const json stats = stats_json(options, method, input, run);
 
   report_duplicates(input.points(), result, options, console);
-  if (result.outcome == Outcome::ok) write_outputs(options, input, run, picture);
+  if (result.outcome == Outcome::ok) write_outputs(options, method, input, run, picture);
   const bool refused = result.outcome == Outcome::out_of_domain || result.outcome == Outcome::refused_input;
   if (result.outcome != Outcome::ok && !refused)
     console.log << to_string(result.outcome) << ": " << result.reason << '\n';

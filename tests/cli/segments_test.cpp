@@ -18,6 +18,27 @@ std::vector<std::string> constrained(const std::string& file, std::vector<std::s
   return words;
 }
 
+/// Without segments there is no domain but the hull, for both verbs, and no hole.
+TEST(Segments, AGraphWithoutSegmentsIsItsHull) {
+  const Folder folder;
+  const std::string square = folder.write(
+                        "a.poly",
+                        "4 2 0 0\n0 0 0\n1 4 0\n2 4 4\n3 0 4\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n"),
+                    points = folder.write("b.poly", "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n0 0\n0\n"),
+                    hole = folder.write("c.poly", "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n0 0\n1\n0 0.2 0.2\n"),
+                    mesh = folder / "m.ele", beside = folder / "m.poly";
+  for (const std::string& file : {square, points}) {
+    ASSERT_EQ(tribunal({"triangulate", file, "--algorithm", "constrained", "-o", mesh}).status, 0);
+    for (const std::string& graph : {file, beside}) {
+      const Ended ended = tribunal({"verify", graph, mesh, "--kind", "constrained"});
+      EXPECT_EQ(ended.status, 0) << graph << ended.out << ended.err;
+    }
+  }
+  const Ended refused = tribunal({"triangulate", hole, "--algorithm", "constrained"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("c.poly:7: a hole, but"), std::string::npos) << refused.err;
+}
+
 TEST(Segments, DomainsFollowFromTheFile) {
   const Folder folder;
   for (const auto& [file, domain] : {std::pair(folder.write("a.poly", square_with_hole), "carved"),
