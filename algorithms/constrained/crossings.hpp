@@ -30,10 +30,9 @@ struct UnsettledCrossing : Abandon {
 /// Splits segments where two of them cross inside both. Crossing points are computed as rationals and rounded
 /// to the nearest doubles; a piece that ends at a rounded point is no longer on its segment, by at most half
 /// a unit in the last place. Where that does not settle, the points that are still to come go to coarser and
-/// coarser numbers, those of the vertices that are there among them. A vertex that
-/// would change sides of a segment by that becomes a vertex of it instead, and whatever crosses anew is split
-/// again, until nothing crosses: all by exact signs. Vertices on segments that are not split, and overlaps,
-/// are left as they are.
+/// coarser numbers, those of the vertices that are there among them. A vertex that would change sides of a
+/// segment by that becomes a vertex of it instead, and whatever crosses anew is split again, until nothing
+/// crosses: all by exact signs. Vertices on segments that are not split, and overlaps, are left as they are.
 ///
 /// Throws UnsettledCrossing after `most_rounds` rounds or `most_growth` times the pieces of the first one,
 /// and Abandon (refused_input) where a point is not finite. O(n log n) and the pairs of segments whose boxes

@@ -46,7 +46,7 @@ Point2 CoarseNumbers::nearest(const RationalPoint& p) const {
 }
 
 /// The multiple of the unit below the value, the one above it, and the nearest ones that are kept: whichever
-/// is nearest. All of them are doubles.
+/// is nearest. All of them are doubles, or beyond their range.
 double CoarseNumbers::nearest_of(const mpq_class& value, const std::vector<double>& kept) const {
   const double towards_zero = value.get_d();
   double unit = finest_;
@@ -63,6 +63,7 @@ double CoarseNumbers::nearest_of(const mpq_class& value, const std::vector<doubl
                                       [](double x, const mpq_class& bound) { return mpq_class(x) < bound; });
   if (after != kept.end()) candidates.push_back(*after);
   if (after != kept.begin()) candidates.push_back(*std::prev(after));
+  std::erase_if(candidates, [](double candidate) { return !std::isfinite(candidate); });
   std::ranges::sort(candidates);
   return *std::ranges::min_element(
       candidates, {}, [&](double candidate) { return mpq_class(abs(mpq_class(candidate) - value)); });

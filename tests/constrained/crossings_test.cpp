@@ -221,6 +221,10 @@ TEST(Crossings, CoarseNumbersHaveFewerPlaces) {
   EXPECT_EQ(rounded(1 + 3 * 0x1p-49), (Point2{{1 + 3 * 0x1p-49, 1 + 3 * 0x1p-49}}));
   EXPECT_EQ(rounded(1 + 3 * 0x1p-52), (Point2{{1.0000000000000002, 1}})) << "x is there, or 2^-49 apart";
   EXPECT_EQ(rounded(-0.75 + 0x1p-53), (Point2{{-0.75, -0.75}}));
+  constexpr double most = std::numeric_limits<double>::max();
+  const std::vector<Point2> ends{{{-most, most}}, {{most, -most}}};
+  const mpq_class nearly = mpq_class(most) - 1;
+  EXPECT_EQ(CoarseNumbers(ends, 3, 0).nearest({nearly, -nearly}), (Point2{{most, -most}}));
   EXPECT_EQ(rounded(0x1.8p-71), (Point2{{0x1p-70, 0x1p-70}})) << "none is finer than 2^-70";
 }
 
