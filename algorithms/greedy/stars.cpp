@@ -34,6 +34,7 @@ std::vector<Index> sites_around(const PlanarProblem& problem, Index centre) {
     return a.turn != b.turn ? a.turn < b.turn : outwards(a.site, b.site);
   });
   std::vector<Index> sites;
+  sites.reserve(seen.size());
   for (const Seen& s : seen) sites.push_back(s.site);
 
   const RadialOrder order(problem, centre);
