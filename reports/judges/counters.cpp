@@ -90,15 +90,15 @@ Judgement judge(const Rule& rule, Rows rows) {
   for (const nlohmann::json& entry : rule.parameters.at("hold")) {
     if (!entry.contains("equals") && !entry.contains("least") && !entry.contains("most"))
       throw Incomplete("nothing is stated of " + describe(entry));
-    const auto [least, most] = measure(entry, rows);
-    std::string line = describe(entry) + ": " + number_text(least);
-    if (number_text(least) != number_text(most)) line += " to " + number_text(most);
+    const Measured found = measure(entry, rows);
+    std::string line = describe(entry) + ": " + number_text(found.least);
+    if (number_text(found.least) != number_text(found.most)) line += " to " + number_text(found.most);
     const auto require = [&](const char* relation, auto holds) {
       if (!entry.contains(relation)) return;
       const double stated = entry.at(relation).get<double>();
       line += std::string(", stated ") + relation + " " + number_text(stated);
       if (first && !judgement.bound) judgement.bound = stated;
-      if (holds(least, stated) && holds(most, stated)) return;
+      if (holds(found.least, stated) && holds(found.most, stated)) return;
       line += ": does not hold";
       judgement.verdict = Verdict::refuted;
     };
@@ -107,7 +107,7 @@ Judgement judge(const Rule& rule, Rows rows) {
     require("most", [](double a, double b) { return a <= b; });
     if (first) {
       judgement.quantity = describe(entry);
-      judgement.measured = entry.contains("most") ? most : least;
+      judgement.measured = entry.contains("most") ? found.most : found.least;
     }
     first = false;
     judgement.lines.push_back(line);
