@@ -33,8 +33,8 @@ Outline outline_of(const FourDigit& aerofoil, std::uint64_t stations);
 Outline turned(Outline outline, double scale, double cosine, double sine);
 Outline moved(Outline outline, double x, double y);
 
-/// The smallest distance between two outlines that do not meet. Runs of sides whose boxes are farther apart are
-/// passed over.
+/// The smallest distance between two outlines that do not meet. Runs of sides whose boxes are farther apart
+/// are passed over.
 double distance(const Outline& a, const Outline& b);
 
 /// Moves `outline` down, or up, until it is `gap` away from `fixed`, to within a millionth; it must not pass
