@@ -111,17 +111,18 @@ json stats_json(const RefineOptions& options, const Settings& settings, const Gr
   return stats;
 }
 
-/// Splits that are rounded may bend the boundary of a hull inwards: it is no hull then, but still held.
-std::string_view written_domain(Domain domain) {
-  return to_string(domain == Domain::hull ? Domain::carved : domain);
+/// Splits that are rounded may bend the boundary of a hull inwards: it is no hull then, but still held. Holes
+/// mean nothing to a hull, and would be carved.
+PolyBoundary written_boundary(const GraphInput& input, const std::vector<Edge>& segments) {
+  if (input.domain == Domain::hull) return {segments, {}, to_string(Domain::carved)};
+  return {segments, input.file.holes, to_string(input.domain)};
 }
 
 void write_outputs(const RefineOptions& options, const GraphInput& input, const RefinedGraph& refined) {
   const auto& mesh = refined.mesh;
   const std::vector<Edge> segments = subsegments_of(refined);
   if (!options.output.empty())
-    write_bounded_mesh(options.output, mesh.points, mesh.triangles,
-                       {segments, input.file.holes, written_domain(input.domain)});
+    write_bounded_mesh(options.output, mesh.points, mesh.triangles, written_boundary(input, segments));
   Picture(options.picture, options.boundary, input.file.sites, {})
       .draw(mesh.points, mesh.triangles, segments);
 }

@@ -17,11 +17,17 @@ const char* const frame =
 TEST(Refine, WhatItWritesOfAHullIsVerified) {
   const Folder folder;
   const std::string lines = folder.write("h.wkt", "POINT(0 1)\nLINESTRING(0 0,3 1)\n");
-  for (const char* size : {"size=0.9", "size=0.3", "size=0.1"}) {
-    ASSERT_EQ(tribunal({"refine", lines, "--set", size, "-o", folder / "h.ele"}).status, 0);
-    const Ended verified = tribunal({"verify", folder / "h.poly", folder / "h.ele", "--kind", "constrained"});
-    EXPECT_EQ(verified.status, 0) << verified.out;
-  }
+  const std::string hole =
+      folder.write("g.poly",
+                   "# domain hull\n4 2 0 0\n0 0 0\n1 3 1\n2 2 3\n3 0 1\n4 0\n0 0 1\n1 1 2\n"
+                   "2 2 3\n3 3 0\n1\n0 1 1\n");
+  for (const std::string& file : {lines, hole})
+    for (const char* size : {"size=0.9", "size=0.3", "size=0.1"}) {
+      ASSERT_EQ(tribunal({"refine", file, "--set", size, "-o", folder / "h.ele"}).status, 0);
+      const Ended verified =
+          tribunal({"verify", folder / "h.poly", folder / "h.ele", "--kind", "constrained"});
+      EXPECT_EQ(verified.status, 0) << file << verified.out;
+    }
 }
 
 TEST(Refine, WritesAMeshThatVerifies) {
