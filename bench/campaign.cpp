@@ -9,6 +9,8 @@
 #include "bench/store.hpp"
 #include "datasets/files/files.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <unordered_set>
 #include <utility>
 

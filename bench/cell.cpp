@@ -10,6 +10,8 @@
 #include "datasets/files/files.hpp"
 #include "predicates/counted.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <utility>
 
 namespace tribunal::bench {

@@ -7,6 +7,7 @@
 #include "predicates/environment.hpp"
 
 #include <gmp.h>
+#include <nlohmann/json.hpp>
 #include <sqlite3.h>
 
 #include <algorithm>

@@ -3,6 +3,8 @@
 #include "algorithms/outcome.hpp"
 #include "bench/hash.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <string_view>
 
 namespace tribunal::bench {

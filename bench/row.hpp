@@ -1,7 +1,7 @@
 // The currency of the bench and the reports: a cell is what is asked, a row is what came of it.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <map>

@@ -3,6 +3,8 @@
 #include "bench/digest.hpp"
 #include "datasets/files/files.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cerrno>
 #include <fcntl.h>

@@ -1,5 +1,7 @@
 #include "reports/html.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cstdint>
 
 namespace tribunal::reports {

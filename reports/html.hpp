@@ -1,7 +1,7 @@
 // Text that came from outside, made harmless inside HTML.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <string_view>

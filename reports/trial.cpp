@@ -3,6 +3,8 @@
 #include "reports/judges/evidence.hpp"
 #include "reports/judges/list.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cassert>
 #include <limits>
 

@@ -4,7 +4,7 @@
 #include "reports/claim.hpp"
 #include "reports/judges/judge.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <span>
 #include <string>

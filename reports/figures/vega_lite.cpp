@@ -1,5 +1,7 @@
 #include "reports/figures/vega_lite.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 namespace tribunal::reports {

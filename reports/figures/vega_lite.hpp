@@ -3,7 +3,7 @@
 
 #include "reports/figures/figure.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace tribunal::reports {
 

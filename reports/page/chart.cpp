@@ -4,6 +4,8 @@
 #include "reports/figures/vega_lite.hpp"
 #include "reports/html.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace tribunal::reports {
 
 std::string chart(const Figure& figure) {

@@ -4,6 +4,8 @@
 #include "predicates/backends/list.hpp"
 #include "tests/bench/support.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <set>
 
 namespace tribunal::bench {

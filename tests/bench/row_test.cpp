@@ -3,6 +3,8 @@
 #include "bench/digest.hpp"
 #include "tests/bench/support.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cstdio>
 #include <set>
 

@@ -8,6 +8,7 @@
 #include "datasets/files/files.hpp"
 #include "tests/bench/support.hpp"
 
+#include <nlohmann/json.hpp>
 #include <sqlite3.h>
 
 #include <sys/wait.h>
