@@ -10,13 +10,13 @@
 namespace tribunal::cli {
 namespace {
 
-const std::vector<std::string> algorithms{"bowyer", "watson", "green-sibson"};
+const std::vector<std::string> insertions{"bowyer", "watson", "green-sibson"};
 
 TEST(Triangulate, StatsHoldWhatIsPromised) {
   const Folder folder;
   const std::string points = folder / "p.xy", stats = folder / "s.json";
   ASSERT_EQ(tribunal({"points", "uniform", "-n", "500", "-o", points}).status, 0);
-  for (const std::string& algorithm : algorithms) {
+  for (const std::string& algorithm : insertions) {
     ASSERT_EQ(tribunal({"triangulate", points, "--algorithm", algorithm, "--stats", stats}).status, 0);
     const auto s = nlohmann::json::parse(read(stats));
     for (const char* key :
@@ -37,7 +37,7 @@ TEST(Triangulate, RealSitesByEveryAlgorithmAndBackend) {
   ASSERT_EQ(tribunal({"points", "coast", "-o", points}).status, 0);
   std::set<std::string> digests;
   std::set<int> taus;
-  for (const std::string& algorithm : algorithms)
+  for (const std::string& algorithm : insertions)
     for (const char* backend : {"filtered", "fortune-van-wyk", "gmp"}) {
       const Ended ended = tribunal(
           {"triangulate", points, "--algorithm", algorithm, "--backend", backend, "-o", mesh, "--json"});

@@ -17,18 +17,18 @@
 
 namespace tribunal {
 namespace {
-constexpr std::size_t count = 2000;
+constexpr std::size_t drawn = 2000;
 
-/// Calls visit.operator()<Formula>(query) for `count` queries of the family.
+/// Calls visit.operator()<Formula>(query) for `drawn` queries of the family.
 template <class Formula, class Visit>
 void each_query_of(const QueryFamily& family, Predicate predicate, Visit visit) {
   const auto points = [&] {
     if constexpr (Formula::dimension == 2)
-      return draw_queries2(family, predicate, count, 1);
+      return draw_queries2(family, predicate, drawn, 1);
     else
-      return draw_queries3(family, predicate, count, 1);
+      return draw_queries3(family, predicate, drawn, 1);
   }();
-  ASSERT_EQ(points.size(), count * Formula::points);
+  ASSERT_EQ(points.size(), drawn * Formula::points);
   for (std::size_t i = 0; i < points.size(); i += Formula::points) {
     Query<Formula> query;
     std::copy_n(points.begin() + static_cast<std::ptrdiff_t>(i), Formula::points, query.begin());
@@ -67,8 +67,8 @@ Shares shares(std::string_view family, Predicate predicate) {
     const Sign sign = exact_sign<Formula>(query);
     (sign == Sign::zero       ? found.zero
      : sign == Sign::positive ? found.positive
-                              : found.negative) += 1.0 / count;
-    found.wrong += (sign_of(Formula::determinant(query)) != sign) * 1.0 / count;
+                              : found.negative) += 1.0 / drawn;
+    found.wrong += (sign_of(Formula::determinant(query)) != sign) * 1.0 / drawn;
   });
   return found;
 }
@@ -137,7 +137,7 @@ TEST(QueryFamilies, PointsAreFiniteAndDistinct) {
           coincident += std::find(query.begin(), query.begin() + i, query[i]) != query.begin() + i;
         }
       });
-      EXPECT_LE(coincident, count / 1000) << family.name << ' ' << to_string(predicate);
+      EXPECT_LE(coincident, drawn / 1000) << family.name << ' ' << to_string(predicate);
     }
 }
 
@@ -168,7 +168,7 @@ TEST(QueryFamilies, DegFDifferencesAreInexact) {
         return std::any_of(query.begin(), query.end(), [&](const auto& q) { return rounds(p, q); });
       });
     });
-    EXPECT_EQ(inexact, count) << to_string(predicate);
+    EXPECT_EQ(inexact, drawn) << to_string(predicate);
   }
 }
 
@@ -217,7 +217,7 @@ struct Range {
 
 Range range(std::string_view family) {
   Range found;
-  for (const Point3& p : draw_queries3(family_named(family), Predicate::insphere, count, 1))
+  for (const Point3& p : draw_queries3(family_named(family), Predicate::insphere, drawn, 1))
     for (const double c : p.coordinate) {
       if (c != 0) found.smallest = std::min(found.smallest, std::fabs(c));
       found.largest = std::max(found.largest, std::fabs(c));
