@@ -3,8 +3,6 @@
 #include "algorithms/mesh/canonical.hpp"
 #include "tests/conformance/run.hpp"
 
-#include <algorithm>
-
 namespace tribunal {
 namespace {
 
@@ -13,15 +11,10 @@ struct Case {
   const Dataset* dataset;
 };
 
-// What is cubic, or quadratic with large factors, would take more time than all others together at 200 sites.
-std::uint64_t most_sites(std::string_view algorithm) {
-  return algorithm == "greedy-naive" || algorithm == "greedy-gilbert" ? 80 : 200;
-}
-
 class PlanarConformance : public testing::TestWithParam<Case> {
  protected:
   std::vector<Point2> points(std::uint64_t n, std::uint64_t seed) const {
-    return GetParam().dataset->generate(std::min(n, most_sites(algorithm().about.name)), seed);
+    return GetParam().dataset->generate(n, seed);
   }
   const PlanarAlgorithm& algorithm() const { return *GetParam().algorithm; }
 };
